@@ -1,0 +1,26 @@
+// One input set of a study: what differs from the baseline, and the setup it makes.
+#pragma once
+
+#include <string>
+
+#include "parameters/study.hpp"
+
+namespace cpt::parameters {
+
+enum class Side { baseline, lower, upper };
+[[nodiscard]] std::string_view to_string(Side side);
+
+struct Realization {
+  int id = 0;                ///< from 1, stable for a study: the baseline is 1, then rows in file order, lower first
+  int row = -1;              ///< index into Study::rows; -1 for the baseline
+  Side side = Side::baseline;
+};
+
+/// Dotted name of the changed quantity; "" for the baseline.
+[[nodiscard]] std::string_view parameter_name(const Study& study, const Realization& realization);
+/// Value of the changed quantity in its study unit; NaN for the baseline.
+[[nodiscard]] double parameter_value(const Study& study, const Realization& realization);
+/// Pure map from a realization to the solver's input.
+[[nodiscard]] solver::Setup make_setup(const Study& study, const Realization& realization);
+
+}  // namespace cpt::parameters

@@ -1,0 +1,47 @@
+// A study: what the researcher wrote, validated. Plain data; read_study.hpp makes it from TOML.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "solver/presets.hpp"
+#include "solver/quantities.hpp"
+#include "solver/setup.hpp"
+
+namespace cpt::parameters {
+
+/// One row of the table of uncertain inputs. Values are in the quantity's study unit (index for a choice).
+struct Row {
+  const solver::Quantity* quantity;
+  double baseline;
+  double lower;  ///< equal to baseline where one-sided
+  double upper;  ///< equal to baseline where one-sided
+};
+
+/// Depth interval over which q_c is averaged.
+struct Window {
+  enum class Kind { fixed, peak, trough };
+  std::string name;
+  Kind kind = Kind::fixed;
+  double from = 0.0;   // [m] fixed: interval; peak/trough: where to look for it in the baseline's profile
+  double to = 0.0;     // [m]
+  double width = 0.0;  // [m] peak/trough: width of the interval centred on it
+};
+
+struct Study {
+  std::filesystem::path file;       ///< absolute path of the study file
+  std::string name;                 ///< file name without extension
+  std::string title;                ///< for reports; defaults to the name
+  solver::Profile profile;
+  solver::Preset preset;
+  solver::Setup baseline;           ///< preset + fixed inputs + every row's baseline
+  std::vector<Row> rows;            ///< in file order
+  std::vector<Window> windows;      ///< at least one
+  std::filesystem::path database;   ///< default NAME.sqlite beside the study
+  std::filesystem::path curves;     ///< default NAME.h5
+  std::filesystem::path report_dir; ///< default NAME-report
+  double wall_limit_seconds;        ///< of one realization; infinity if not given
+};
+
+}  // namespace cpt::parameters

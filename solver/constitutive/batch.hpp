@@ -1,0 +1,27 @@
+// Material points of one soil in structure-of-arrays form, as the time loop hands them to a constitutive law.
+#pragma once
+
+#include <cstddef>
+
+namespace cpt::solver {
+
+/// `size` is a multiple of `batch_width`; the tail holds harmless dummy points (valid state, zero strain).
+/// Arrays are 64-byte aligned and do not overlap. Axisymmetric components (r, z, theta; shear rz as tensor
+/// component, not engineering strain). Stresses are already rotated (Jaumann) when a law sees them.
+struct Batch {
+  std::size_t size;
+  double* s_rr;  // [Pa] stress, tension-positive
+  double* s_zz;
+  double* s_tt;
+  double* s_rz;
+  double* e;    // [-] void ratio
+  double* p_i;  // [Pa] image pressure (sand; untouched by other laws)
+  const double* d_rr;  // [-] strain increment of the step, tension-positive
+  const double* d_zz;
+  const double* d_tt;
+  const double* d_rz;
+};
+
+inline constexpr std::size_t batch_width = 8;
+
+}  // namespace cpt::solver

@@ -1,0 +1,77 @@
+// One realization: options in, summary out.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/setup.hpp"
+
+namespace cpt::solver {
+
+/// How a realization ended. The solver itself never returns `crashed` or `rank_lost`: the campaign does.
+enum class Status { completed, did_not_converge, energy_drift, time_limit, invalid_parameters, crashed, rank_lost };
+[[nodiscard]] std::string_view to_string(Status status);
+
+/// Depth profile of the push, one row a depth bin. All arrays have the same length.
+struct DepthProfile {
+  std::vector<double> depth;  // [m] centre of the bin, depth of the tip below the soil's top
+  std::vector<double> q_c;    // [Pa] cone tip resistance, compression-positive
+  std::vector<double> f_s;    // [Pa] sleeve friction, positive when the soil pushes the sleeve upward
+};
+
+/// What the run conserved and how it behaved (solver/audit.hpp says how each is computed).
+struct Audit {
+  double mass_error = 0.0;         // [-] relative change of the total mass of the material points
+  double momentum_error = 0.0;     // [-] vertical impulse balance, relative to the penetrometer's impulse
+  double energy_error = 0.0;       // [-] energy balance, relative to the penetrometer's work
+  double kinetic_fraction = 0.0;   // [-] largest kinetic energy over the penetrometer's work, after the start
+  int max_empty_cells = 0;         // [-]
+  double min_time_step = 0.0;      // [s]
+  double max_time_step = 0.0;      // [s]
+};
+
+struct Outcome {
+  Status status = Status::invalid_parameters;
+  std::string reason;      ///< one sentence; empty if completed
+  DepthProfile profile;    ///< as far as the push came
+  Audit audit;
+  std::int64_t steps = 0;
+  std::int64_t material_points = 0;
+  double wall_seconds = 0.0;  ///< the only field, with those derived from it, that differs between equal runs
+};
+
+/// Where a running realization is.
+struct Progress {
+  double depth;         // [m] tip
+  double final_depth;   // [m]
+  std::int64_t steps;
+  std::int64_t material_points;
+  double wall_seconds;
+};
+
+/// Callbacks of a run; the base does nothing.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// About ten times a second.
+  virtual void progress(const Progress&) {}
+  /// Polled as often as `progress`; true ends the run with Status::time_limit and this reason.
+  virtual bool stop_requested(std::string& /*reason*/) { return false; }
+};
+
+/// How to run, none of which changes a bit of the result.
+struct Execution {
+  int threads = 1;
+  double wall_limit_seconds = std::numeric_limits<double>::infinity();
+};
+
+/// Pushes the cone to its final depth. Never throws for physics: bad input, divergence and limits are outcomes.
+[[nodiscard]] Outcome simulate(const Setup& setup, Observer& observer, const Execution& execution = {});
+
+/// Version of the numerics; changes whenever the same setup may give other bits.
+[[nodiscard]] std::string_view solver_version();
+
+}  // namespace cpt::solver
