@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "parameters/study.hpp"
 
@@ -11,8 +12,8 @@ enum class Side { baseline, lower, upper };
 [[nodiscard]] std::string_view to_string(Side side);
 
 struct Realization {
-  int id = 0;                ///< from 1, stable for a study: the baseline is 1, then rows in file order, lower first
-  int row = -1;              ///< index into Study::rows; -1 for the baseline
+  int id = 0;    ///< from 1, stable for a study: the baseline is 1, then rows in file order, lower first
+  int row = -1;  ///< index into Study::rows; -1 for the baseline
   Side side = Side::baseline;
 };
 
@@ -22,5 +23,7 @@ struct Realization {
 [[nodiscard]] double parameter_value(const Study& study, const Realization& realization);
 /// Pure map from a realization to the solver's input.
 [[nodiscard]] solver::Setup make_setup(const Study& study, const Realization& realization);
+/// Every input of the realization (solver::canonical_text of its setup): equal texts mean equal runs.
+[[nodiscard]] std::string settings_text(const Study& study, const Realization& realization);
 
 }  // namespace cpt::parameters

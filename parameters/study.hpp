@@ -30,18 +30,18 @@ struct Window {
 };
 
 struct Study {
-  std::filesystem::path file;       ///< absolute path of the study file
-  std::string name;                 ///< file name without extension
-  std::string title;                ///< for reports; defaults to the name
+  std::filesystem::path file;  ///< absolute path of the study file
+  std::string name;            ///< file name without extension
+  std::string title;           ///< for reports; defaults to the name
   solver::Profile profile;
   solver::Preset preset;
-  solver::Setup baseline;           ///< preset + fixed inputs + every row's baseline
-  std::vector<Row> rows;            ///< in file order
-  std::vector<Window> windows;      ///< at least one
-  std::filesystem::path database;   ///< default NAME.sqlite beside the study
-  std::filesystem::path curves;     ///< default NAME.h5
-  std::filesystem::path report_dir; ///< default NAME-report
-  double wall_limit_seconds;        ///< of one realization; infinity if not given
+  solver::Setup baseline;            ///< preset + fixed inputs + every row's baseline
+  std::vector<Row> rows;             ///< in file order
+  std::vector<Window> windows;       ///< at least one
+  std::filesystem::path database;    ///< default NAME.sqlite beside the study
+  std::filesystem::path curves;      ///< default NAME.h5
+  std::filesystem::path report_dir;  ///< default NAME-report
+  double wall_limit_seconds;         ///< of one realization; infinity if not given
 };
 
 }  // namespace cpt::parameters

@@ -9,9 +9,9 @@
 
 namespace cpt::solver {
 
-enum class Soil : std::uint8_t { sand, clay };                 ///< NorSand, Tresca
-enum class Wall : std::uint8_t { flexible, rigid };            ///< radial boundary of the chamber
-enum class SurchargeKind : std::uint8_t { traction, layer };   ///< how sigma_v0 is applied at the soil's top
+enum class Soil : std::uint8_t { sand, clay };                ///< NorSand, Tresca
+enum class Wall : std::uint8_t { flexible, rigid };           ///< radial boundary of the chamber
+enum class SurchargeKind : std::uint8_t { traction, layer };  ///< how sigma_v0 is applied at the soil's top
 enum class DeviatoricFlow : std::uint8_t { radial, associated };
 enum class ShoulderNormal : std::uint8_t { shaft, bisector, face };
 enum class SelfWeight : std::uint8_t { none, submerged, saturated };
@@ -25,34 +25,36 @@ struct Layer {
 
 /// NorSand with the exponential critical state line; baseline of Yost et al. (2023), Table 2.
 struct Sand {
-  double e_cs0 = 0.90;     // [-] critical state void ratio at p' = 0
-  double lambda = 0.012;   // [-] slope of the critical state line
-  double m = 0.7;          // [-] exponent of the critical state line
-  double G_ref = 743.0;    // [-] shear modulus factor
-  double b = 0.57;         // [-] exponent of the stiffness relation
-  double e_min_star = 0.051;  // [-] void ratio at which volumetric strains are negligible
+  double e_cs0 = 0.90;                  // [-] critical state void ratio at p' = 0
+  double lambda = 0.012;                // [-] slope of the critical state line
+  double m = 0.7;                       // [-] exponent of the critical state line
+  double G_ref = 743.0;                 // [-] shear modulus factor
+  double b = 0.57;                      // [-] exponent of the stiffness relation
+  double e_min_star = 0.051;            // [-] void ratio at which volumetric strains are negligible
   double phi_cs = 0.52359877559829887;  // [rad] critical state friction angle (30 deg)
-  double N = 0.1;          // [-] dilatancy (volumetric coupling) parameter
-  double chi_tc = 2.7;     // [-] dilatancy coefficient in triaxial compression
-  double nu = 0.2;         // [-] Poisson's ratio
-  double H = 25.0;         // [-] hardening modulus
-  double D_r = 0.36;       // [-] relative density
-  double e_min = 0.552;    // [-] minimum void ratio
-  double e_max = 0.890;    // [-] maximum void ratio
-  double rho_grains = 2650.0;  // [kg/m3] density of the grains
+  double N = 0.1;                       // [-] dilatancy (volumetric coupling) parameter
+  double chi_tc = 2.7;                  // [-] dilatancy coefficient in triaxial compression
+  double nu = 0.2;                      // [-] Poisson's ratio
+  double H = 25.0;                      // [-] hardening modulus
+  double D_r = 0.36;                    // [-] relative density
+  double e_min = 0.552;                 // [-] minimum void ratio
+  double e_max = 0.890;                 // [-] maximum void ratio
+  double rho_grains = 2650.0;           // [kg/m3] density of the grains
   double OCR = 1.0;        // [-] scales the initial p_i from the yield surface through the initial stress
   double cap_ratio = 1.3;  // [-] inner cap: p_i <= cap_ratio * p_mx
   double hardening_exponent = 2.0;  // [-] exponent of (p/p_i) in the hardening rule
-  double p_min = 500.0;    // [Pa] below this mean stress the sand carries none
+  double p_min = 500.0;             // [Pa] below this mean stress the sand carries none
   DeviatoricFlow flow = DeviatoricFlow::associated;
+  double substep_tolerance =
+      1e-5;  // [-] relative error of stress and p_i allowed in one sub-step of the stress update
 };
 
 /// Tresca; baseline of Yost et al. (2023), Table 3.
 struct Clay {
-  double n_0 = 0.362;      // [-] initial porosity
-  double s_u = 27.9e3;     // [Pa] undrained shear strength
-  double G = 552.0e3;      // [Pa] shear modulus
-  double nu = 0.4995;      // [-] undrained Poisson's ratio
+  double n_0 = 0.362;          // [-] initial porosity
+  double s_u = 27.9e3;         // [Pa] undrained shear strength
+  double G = 552.0e3;          // [Pa] shear modulus
+  double nu = 0.4995;          // [-] undrained Poisson's ratio
   double rho_grains = 2700.0;  // [kg/m3] density of the grains
 };
 
@@ -67,8 +69,8 @@ struct Chamber {
   double soil_height = 1.0;  // [m]
   Wall wall = Wall::rigid;
   SurchargeKind surcharge = SurchargeKind::layer;
-  double surcharge_height = 1.0;  // [m]
-  double surcharge_E = 1.0e6;     // [Pa] Young's modulus of the surcharge layer
+  double surcharge_height = 1.0;    // [m]
+  double surcharge_E = 1.0e6;       // [Pa] Young's modulus of the surcharge layer
   double surcharge_nu = 1.0 / 3.0;  // [-] Poisson's ratio of the surcharge layer
 };
 
@@ -79,38 +81,38 @@ struct InitialStress {
 };
 
 struct Penetrometer {
-  double diameter = 0.0253;           // [m]
-  double apex = 1.0471975511965976;   // [rad] apex angle (60 deg)
-  double speed = 0.04;                // [m/s]
-  double sleeve_length = 0.0948;      // [m] friction sleeve above the shoulder (f_s)
-  double final_depth = 0.55;          // [m] depth of the tip at the end of the push
+  double diameter = 0.0253;          // [m]
+  double apex = 1.0471975511965976;  // [rad] apex angle (60 deg)
+  double speed = 0.04;               // [m/s]
+  double sleeve_length = 0.0948;     // [m] friction sleeve above the shoulder (f_s)
+  double final_depth = 0.55;         // [m] depth of the tip at the end of the push
 };
 
 /// A radial zone of equally spaced material points.
 struct PointZone {
-  double outer_radius;   // [m]; the last zone reaches the chamber's wall whatever it says
-  int columns;           // [-] columns of points across the zone
-  double rows_per_metre; // [1/m] rows of points per metre of height
+  double outer_radius;    // [m]; the last zone reaches the chamber's wall whatever it says
+  int columns;            // [-] columns of points across the zone
+  double rows_per_metre;  // [1/m] rows of points per metre of height
 };
 
 struct Numerics {
-  int face_elements = 2;           // [-] elements over the cone radius
-  double near_height = 0.0063;     // [m] cell height around the tip
-  double near_width_radius = 0.06; // [m] columns keep about the near width up to here, then widen
-  double far_width = 0.025;        // [m] column width at the wall
-  double coarse_rows_radius = 0.12; // [m] beyond this radius rows are joined two by two
-  double zone_below = 0.12;        // [m] moving zone: extent below the tip
-  double zone_above = 0.12;        // [m] moving zone: extent above the shoulder
-  double below_height = 0.030;     // [m] height of the rows of the compressing zone at the start
-  double above_height = 0.0125;    // [m] height of the rows of the stretching zone at the start
+  int face_elements = 2;             // [-] elements over the cone radius
+  double near_height = 0.0063;       // [m] cell height around the tip
+  double near_width_radius = 0.06;   // [m] columns keep about the near width up to here, then widen
+  double far_width = 0.025;          // [m] column width at the wall
+  double coarse_rows_radius = 0.12;  // [m] beyond this radius rows are joined two by two
+  double zone_below = 0.12;          // [m] moving zone: extent below the tip
+  double zone_above = 0.12;          // [m] moving zone: extent above the shoulder
+  double below_height = 0.030;       // [m] height of the rows of the compressing zone at the start
+  double above_height = 0.0125;      // [m] height of the rows of the stretching zone at the start
   std::vector<PointZone> zones = {{0.06, 70, 325.0}, {0.12, 25, 200.0}, {0.24, 35, 150.0}, {0.45, 20, 125.0}};
-  double point_shift = 0.0;        // [-] shift of the point grid, fraction of the spacing, in [-0.5, 0.5]
-  double courant = 0.8;            // [-]
-  double mass_scaling = 1.0e4;     // [-] on inertia only
-  double pic_fraction = 0.0;       // [-] 0 = FLIP, 1 = PIC
-  double local_damping = 0.0;      // [-] fraction of the out-of-balance force
-  double stress_smoothing = 0.0;   // [-] share of the quadrant's average given back to its points each step
-  double bin_height = 0.0005;      // [m] depth bin over which q_c and f_s are averaged
+  double point_shift = 0.0;       // [-] shift of the point grid, fraction of the spacing, in [-0.5, 0.5]
+  double courant = 0.8;           // [-]
+  double mass_scaling = 1.0e4;    // [-] on inertia only
+  double pic_fraction = 0.0;      // [-] 0 = FLIP, 1 = PIC
+  double local_damping = 0.0;     // [-] fraction of the out-of-balance force
+  double stress_smoothing = 0.0;  // [-] share of the quadrant's average given back to its points each step
+  double bin_height = 0.0005;     // [m] depth bin over which q_c and f_s are averaged
 };
 
 struct Setup {

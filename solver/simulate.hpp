@@ -12,7 +12,15 @@
 namespace cpt::solver {
 
 /// How a realization ended. The solver itself never returns `crashed` or `rank_lost`: the campaign does.
-enum class Status { completed, did_not_converge, energy_drift, time_limit, invalid_parameters, crashed, rank_lost };
+enum class Status {
+  completed,
+  did_not_converge,
+  energy_drift,
+  time_limit,
+  invalid_parameters,
+  crashed,
+  rank_lost
+};
 [[nodiscard]] std::string_view to_string(Status status);
 
 /// Depth profile of the push, one row a depth bin. All arrays have the same length.
@@ -24,19 +32,19 @@ struct DepthProfile {
 
 /// What the run conserved and how it behaved (solver/audit.hpp says how each is computed).
 struct Audit {
-  double mass_error = 0.0;         // [-] relative change of the total mass of the material points
-  double momentum_error = 0.0;     // [-] vertical impulse balance, relative to the penetrometer's impulse
-  double energy_error = 0.0;       // [-] energy balance, relative to the penetrometer's work
-  double kinetic_fraction = 0.0;   // [-] largest kinetic energy over the penetrometer's work, after the start
-  int max_empty_cells = 0;         // [-]
-  double min_time_step = 0.0;      // [s]
-  double max_time_step = 0.0;      // [s]
+  double mass_error = 0.0;        // [-] relative change of the total mass of the material points
+  double momentum_error = 0.0;    // [-] vertical impulse balance, relative to the penetrometer's impulse
+  double energy_error = 0.0;      // [-] energy balance, relative to the penetrometer's work
+  double kinetic_fraction = 0.0;  // [-] largest kinetic energy over the penetrometer's work, after the start
+  int max_empty_cells = 0;        // [-]
+  double min_time_step = 0.0;     // [s]
+  double max_time_step = 0.0;     // [s]
 };
 
 struct Outcome {
   Status status = Status::invalid_parameters;
-  std::string reason;      ///< one sentence; empty if completed
-  DepthProfile profile;    ///< as far as the push came
+  std::string reason;    ///< one sentence; empty if completed
+  DepthProfile profile;  ///< as far as the push came
   Audit audit;
   std::int64_t steps = 0;
   std::int64_t material_points = 0;
@@ -45,8 +53,8 @@ struct Outcome {
 
 /// Where a running realization is.
 struct Progress {
-  double depth;         // [m] tip
-  double final_depth;   // [m]
+  double depth;        // [m] tip
+  double final_depth;  // [m]
   std::int64_t steps;
   std::int64_t material_points;
   double wall_seconds;
@@ -68,7 +76,8 @@ struct Execution {
   double wall_limit_seconds = std::numeric_limits<double>::infinity();
 };
 
-/// Pushes the cone to its final depth. Never throws for physics: bad input, divergence and limits are outcomes.
+/// Pushes the cone to its final depth. Never throws for physics: bad input, divergence and limits are
+/// outcomes.
 [[nodiscard]] Outcome simulate(const Setup& setup, Observer& observer, const Execution& execution = {});
 
 /// Version of the numerics; changes whenever the same setup may give other bits.

@@ -1,0 +1,136 @@
+#include "campaign/messages.hpp"
+
+#include <concepts>
+
+#include "solver/quantities.hpp"
+
+namespace cpt::campaign {
+namespace {
+
+template <class T, class Struct>
+concept MaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
+
+// One list of fields for both directions. Structs without a list go as their bytes.
+template <class Archive>
+void exchange(Archive& archive, MaybeConst<Hello> auto& hello) {
+  archive(hello.node, hello.slots);
+}
+
+template <class Archive>
+void exchange(Archive& archive, MaybeConst<ProgressReport> auto& report) {
+  archive(report.realization, report.progress);
+}
+
+template <class Archive>
+void exchange(Archive& archive, MaybeConst<OutcomeReport> auto& report) {
+  static_assert(sizeof(solver::DepthProfile) == 3 * sizeof(std::vector<double>), "send the new profile too");
+  auto& outcome = report.outcome;
+  archive(report.realization, outcome.status, outcome.reason, outcome.profile.depth, outcome.profile.q_c,
+          outcome.profile.f_s, outcome.audit, outcome.steps, outcome.material_points, outcome.wall_seconds);
+}
+
+template <class Archive>
+void exchange(Archive&, MaybeConst<Heartbeat> auto&) {}
+template <class Archive>
+void exchange(Archive&, MaybeConst<Leaving> auto&) {}
+template <class Archive>
+void exchange(Archive&, MaybeConst<Dismissed> auto&) {}
+
+// A setup travels as the values of all quantities, its layers and its point zones, so that a new quantity needs no
+// line here; its canonical text travels too and shows that nothing was left out.
+void exchange(ByteWriter& archive, const Order& order) {
+  std::vector<double> values;
+  for (const solver::Quantity& quantity : solver::all_quantities()) values.push_back(quantity.get(order.setup));
+  archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, values,
+          order.setup.layers, order.setup.numerics.zones, solver::canonical_text(order.setup));
+}
+
+void exchange(ByteReader& archive, Order& order) {
+  std::vector<double> values;
+  std::vector<solver::Layer> layers;
+  std::vector<solver::PointZone> zones;
+  std::string text;
+  archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, values, layers, zones,
+          text);
+  const auto quantities = solver::all_quantities();
+  if (values.size() != quantities.size()) throw MalformedMessage("order of another program version");
+  for (std::size_t i = 0; i < values.size(); ++i) quantities[i].set(order.setup, values[i]);
+  order.setup.layers = std::move(layers);
+  order.setup.numerics.zones = std::move(zones);
+  if (solver::canonical_text(order.setup) != text) throw MalformedMessage("order's setup did not survive packing");
+}
+
+void check(const Message& message) {
+  const auto* report = std::get_if<OutcomeReport>(&message);
+  if (report == nullptr) return;
+  const auto status = static_cast<int>(report->outcome.status);
+  const auto& profile = report->outcome.profile;
+  if (status < 0 || status > static_cast<int>(solver::Status::rank_lost))
+    throw MalformedMessage("outcome with an unknown status");
+  if (profile.q_c.size() != profile.depth.size() || profile.f_s.size() != profile.depth.size())
+    throw MalformedMessage("outcome with a ragged depth profile");
+}
+
+template <std::size_t I = 0>
+Message decode_alternative(std::uint32_t kind, ByteReader& reader) {
+  if constexpr (I < std::variant_size_v<Message>) {
+    if (kind != I) return decode_alternative<I + 1>(kind, reader);
+    std::variant_alternative_t<I, Message> content;
+    exchange(reader, content);
+    return content;
+  } else {
+    throw MalformedMessage("message of an unknown kind");
+  }
+}
+
+struct FrameHeader {
+  std::uint32_t magic;
+  std::uint32_t size;
+};
+constexpr std::uint32_t frame_magic = 0x43505431;       // "CPT1"
+constexpr std::uint32_t largest_message = 64U << 20U;  // far above any depth profile; bounds what garbage can claim
+
+}  // namespace
+
+Bytes encode(const Message& message) {
+  ByteWriter writer;
+  writer(static_cast<std::uint32_t>(message.index()));
+  std::visit([&](const auto& content) { exchange(writer, content); }, message);
+  return writer.take();
+}
+
+Message decode(std::span<const std::byte> bytes) {
+  ByteReader reader(bytes);
+  std::uint32_t kind = 0;
+  reader(kind);
+  Message message = decode_alternative(kind, reader);
+  reader.expect_end();
+  check(message);
+  return message;
+}
+
+Bytes frame(const Message& message) {
+  const Bytes content = encode(message);
+  const FrameHeader header{frame_magic, static_cast<std::uint32_t>(content.size())};
+  Bytes bytes(sizeof header + content.size());
+  std::memcpy(bytes.data(), &header, sizeof header);
+  std::memcpy(bytes.data() + sizeof header, content.data(), content.size());
+  return bytes;
+}
+
+void FrameReader::feed(std::span<const std::byte> bytes) { buffer_.insert(buffer_.end(), bytes.begin(), bytes.end()); }
+
+std::optional<Message> FrameReader::next() {
+  FrameHeader header{};
+  if (buffer_.size() < sizeof header) return std::nullopt;
+  std::memcpy(&header, buffer_.data(), sizeof header);
+  if (header.magic != frame_magic || header.size > largest_message)
+    throw MalformedMessage("bytes that are no message");
+  const std::size_t end = sizeof header + header.size;
+  if (buffer_.size() < end) return std::nullopt;
+  Message message = decode(std::span(buffer_).subspan(sizeof header, header.size));
+  buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(end));
+  return message;
+}
+
+}  // namespace cpt::campaign

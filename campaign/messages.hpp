@@ -1,0 +1,72 @@
+// What the master, the workers and the realizations' processes say to each other.
+#pragma once
+
+#include <sys/types.h>
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <variant>
+
+#include "campaign/bytes.hpp"
+#include "solver/simulate.hpp"
+
+namespace cpt::campaign {
+
+/// A worker offers its slots (one slot is one core) to the master.
+struct Hello {
+  int node = 0;   ///< ranks with the same number share a machine
+  int slots = 0;  ///< cores this rank contributes
+};
+
+/// One realization to run: everything its process needs.
+struct Order {
+  int realization = 0;
+  int threads = 1;
+  double wall_limit_seconds = std::numeric_limits<double>::infinity();
+  double hang_limit_seconds = 300.0;  ///< without a step forward
+  solver::Setup setup;
+};
+
+struct ProgressReport {
+  int realization = 0;
+  solver::Progress progress{};
+};
+
+struct OutcomeReport {
+  int realization = 0;
+  solver::Outcome outcome;
+};
+
+/// "I am alive", from a worker with nothing else to say.
+struct Heartbeat {};
+
+/// A worker was told to stop by a signal; it has killed its realizations.
+struct Leaving {};
+
+/// The master has no more work.
+struct Dismissed {};
+
+using Message = std::variant<Hello, Order, ProgressReport, OutcomeReport, Heartbeat, Leaving, Dismissed>;
+
+[[nodiscard]] Bytes encode(const Message& message);
+/// Throws MalformedMessage. A decoded order's setup has the sender's canonical text, or decoding fails.
+[[nodiscard]] Message decode(std::span<const std::byte> bytes);
+
+/// A message with a header, for byte streams.
+[[nodiscard]] Bytes frame(const Message& message);
+
+/// Cuts a byte stream into messages.
+class FrameReader {
+ public:
+  void feed(std::span<const std::byte> bytes);
+  /// The next whole message; nullopt if more bytes are needed. Throws MalformedMessage if the stream is not ours.
+  [[nodiscard]] std::optional<Message> next();
+  /// True inside an unfinished message.
+  [[nodiscard]] bool partial() const { return !buffer_.empty(); }
+
+ private:
+  Bytes buffer_;
+};
+
+}  // namespace cpt::campaign

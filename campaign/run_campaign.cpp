@@ -1,0 +1,208 @@
+#include "campaign/run_campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "campaign/clock.hpp"
+#include "campaign/executor.hpp"
+#include "campaign/forecast.hpp"
+#include "campaign/stop_signals.hpp"
+#include "campaign/worker.hpp"
+#include "parameters/designs/one_at_a_time.hpp"
+#include "results/curve_store.hpp"
+#include "results/ledger.hpp"
+
+namespace cpt::campaign {
+namespace {
+
+constexpr int master = 0;
+constexpr int most_losses = 2;        // of ranks with the same realization, before it is given up
+constexpr double muster_limit = 2.0;  // [s] to wait for the workers' offers before the first realization starts
+
+std::string describe(const parameters::Study& study, const parameters::Realization& realization) {
+  if (realization.row < 0) return "baseline";
+  const parameters::Row& row = study.rows.at(static_cast<std::size_t>(realization.row));
+  return fmt::format("{} = {}", row.quantity->name, row.quantity->format(parameter_value(study, realization)));
+}
+
+class Master {
+ public:
+  Master(const parameters::Study& study, const std::vector<parameters::Realization>& realizations,
+         results::Ledger& ledger, Transport& transport, const RunOptions& options, ProgressDisplay& display)
+      : study_(study),
+        ledger_(ledger),
+        transport_(transport),
+        options_(options),
+        display_(display),
+        executor_(options.realization_command),
+        scheduler_(ledger.pending(), options.threads),
+        started_(monotonic_seconds()) {
+    for (const parameters::Realization& realization : realizations) realizations_[realization.id] = realization;
+    scheduler_.add_rank(master, transport.node(), own_slots(transport, options));
+  }
+
+  Summary run() {
+    Napping napping(transport_.longest_nap());
+    int signal = 0;
+    mirror_curves();
+    while (!scheduler_.done() && (signal = stop_signal()) == 0) {
+      const double now = monotonic_seconds();
+      bool busy = receive(now);
+      for (Message& message : executor_.service(now)) {
+        handle(master, message, now);
+        busy = true;
+      }
+      drop_silent_ranks(now);
+      if (mustered(now)) hand_out(now);
+      display_.update(standing(now), now);
+      if (!scheduler_.done()) executor_.nap(napping.next(busy));
+    }
+    executor_.kill_all();
+    display_.finish();
+    return {whole_tally(), signal, ranks_lost_};
+  }
+
+ private:
+  [[nodiscard]] int stop_signal() const { return transport_.orphaned() ? 1 : StopSignals::received(); }
+
+  // Realizations wait until all ranks have made their offers, for the sake of those that run with several threads.
+  [[nodiscard]] bool mustered(double now) const {
+    return static_cast<int>(last_heard_.size()) + 1 >= transport_.size() || now > started_ + muster_limit;
+  }
+
+  bool receive(double now) {
+    bool any = false;
+    while (std::optional<Received> received = transport_.poll()) {
+      any = true;
+      if (silenced_.contains(received->from)) continue;
+      last_heard_[received->from] = now;
+      handle(received->from, received->message, now);
+    }
+    return any;
+  }
+
+  void handle(int rank, Message& message, double now) {
+    if (const auto* hello = std::get_if<Hello>(&message)) {
+      scheduler_.add_rank(rank, hello->node, hello->slots);
+    } else if (const auto* report = std::get_if<ProgressReport>(&message)) {
+      const solver::Progress& progress = report->progress;
+      if (scheduler_.runner(report->realization) == rank)
+        forecast_.progressed(report->realization, progress.depth / progress.final_depth, point_steps(progress), now);
+    } else if (const auto* ended = std::get_if<OutcomeReport>(&message)) {
+      const bool completed = ended->outcome.status == solver::Status::completed;
+      if (!scheduler_.end(ended->realization, rank, !completed)) return;
+      forecast_.ended(ended->realization, completed, point_steps(ended->outcome), now);
+      record(ended->realization, ended->outcome);
+    } else if (std::holds_alternative<Leaving>(message)) {
+      lose(rank, "was told to stop");
+    }
+  }
+
+  template <class Steps>
+  static double point_steps(const Steps& of) {
+    return static_cast<double>(of.steps) * static_cast<double>(of.material_points);
+  }
+
+  void hand_out(double now) {
+    while (const std::optional<Assignment> assignment = scheduler_.next()) {
+      const int id = assignment->realization;
+      const Order order{id, assignment->threads, study_.wall_limit_seconds, options_.hang_limit_seconds,
+                        parameters::make_setup(study_, realizations_.at(id))};
+      ledger_.mark_running(id);
+      forecast_.started(id, assignment->threads, now);
+      if (assignment->rank == master)
+        executor_.start(order, now);
+      else
+        transport_.send(assignment->rank, order);
+    }
+  }
+
+  void record(int id, const solver::Outcome& outcome) {
+    ledger_.record(id, outcome);
+    const Tally tally = whole_tally();
+    std::string line = fmt::format("[{}/{}] realization {} ({}): {}", tally.finished + tally.failed, tally.total(), id,
+                                   describe(study_, realizations_.at(id)), solver::to_string(outcome.status));
+    line += fmt::format(" after {}", format_duration(outcome.wall_seconds));
+    if (!outcome.reason.empty()) line += ": " + outcome.reason;
+    display_.note(line);
+    mirror_curves();
+  }
+
+  // The ledger holds the curves; a mirror that cannot be written is worth a warning, not the campaign.
+  void mirror_curves() {
+    try {
+      results::sync_curves(study_.curves, study_.database);
+    } catch (const results::Error& problem) {
+      if (!curves_warned_) display_.note(fmt::format("warning: {}", problem.what()));
+      curves_warned_ = true;
+    }
+  }
+
+  void drop_silent_ranks(double now) {
+    std::vector<int> silent;
+    for (const auto& [rank, heard] : last_heard_)
+      if (now > heard + options_.rank_limit_seconds) silent.push_back(rank);
+    for (const int rank : silent) {
+      lose(rank, fmt::format("has been silent for {:g} s", options_.rank_limit_seconds));
+      ranks_lost_ = true;
+    }
+  }
+
+  void lose(int rank, const std::string& why) {
+    last_heard_.erase(rank);
+    silenced_.insert(rank);
+    display_.note(fmt::format("warning: rank {} {}; its realizations start again elsewhere", rank, why));
+    for (const int id : scheduler_.lose_rank(rank)) {
+      forecast_.restarted(id);
+      if (++losses_[id] < most_losses) {
+        ledger_.mark_pending(id);
+        continue;
+      }
+      scheduler_.give_up(id);
+      solver::Outcome outcome;
+      outcome.status = solver::Status::rank_lost;
+      outcome.reason = fmt::format("{} ranks were lost while running it", most_losses);
+      record(id, outcome);
+    }
+  }
+
+  [[nodiscard]] Tally whole_tally() const {
+    const results::Counts counts = ledger_.counts();
+    return {counts.pending, counts.running, counts.completed, counts.failed};
+  }
+
+  [[nodiscard]] Standing standing(double now) const {
+    return {whole_tally(), forecast_.remaining_seconds(scheduler_.tally().pending, scheduler_.slots(), now),
+            forecast_.point_steps_per_second(now)};
+  }
+
+  const parameters::Study& study_;
+  std::map<int, parameters::Realization> realizations_;  // by id
+  results::Ledger& ledger_;
+  Transport& transport_;
+  const RunOptions& options_;
+  ProgressDisplay& display_;
+  Executor executor_;
+  Scheduler scheduler_;
+  Forecast forecast_;
+  double started_;                    // [s]
+  std::map<int, double> last_heard_;  // [s] by worker that is present
+  std::set<int> silenced_;            // workers that are lost; late words from them do not count
+  std::map<int, int> losses_;         // by realization
+  bool ranks_lost_ = false;
+  bool curves_warned_ = false;
+};
+
+}  // namespace
+
+Summary run_campaign(const parameters::Study& study, const std::string& study_text, Transport& transport,
+                     const RunOptions& options, ProgressDisplay& display) {
+  const std::vector<parameters::Realization> realizations = parameters::one_at_a_time(study);
+  results::Ledger ledger = results::Ledger::open_for_run(study, realizations, {study_text, options.retry_failed});
+  for (const std::string& message : ledger.opened().messages) display.note(message);
+  return Master(study, realizations, ledger, transport, options, display).run();
+}
+
+}  // namespace cpt::campaign

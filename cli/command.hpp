@@ -1,0 +1,23 @@
+// The program's commands: one file each, listed once in main.cpp.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace cpt::cli {
+
+/// What the command line asked for; returns the exit code. Set by the command that was parsed.
+using Action = std::function<int()>;
+
+/// Each adds its subcommand to `program` and, when that is parsed, sets `action`.
+void add_run(CLI::App& program, Action& action);
+void add_rerun(CLI::App& program, Action& action);
+void add_query(CLI::App& program, Action& action);
+void add_report(CLI::App& program, Action& action);
+void add_element(CLI::App& program, Action& action);
+void add_list(CLI::App& program, Action& action);
+
+}  // namespace cpt::cli

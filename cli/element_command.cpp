@@ -1,0 +1,157 @@
+// campaign element triaxial|oedometer|isotropic
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <optional>
+
+#include "cli/command.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/set_quantity.hpp"
+#include "cli/study_argument.hpp"
+#include "results/error.hpp"
+#include "results/table_format.hpp"
+#include "solver/constitutive/element_test.hpp"
+#include "solver/presets.hpp"
+
+namespace cpt::cli {
+namespace {
+
+constexpr double kPa = 1.0e3;  // [Pa]
+
+struct Arguments {
+  solver::ElementPath path = solver::ElementPath::triaxial;
+  bool clay = false;
+  bool drained = true;
+  std::vector<std::string> settings;       // name=value
+  std::optional<double> e_0, D_r_percent;  // initial density
+  std::optional<double> p_0_kPa, sigma_v0_kPa, sigma_h0_kPa, p_i_kPa;
+  std::optional<double> max_sigma_v_kPa;
+  double strain_percent = 25.0;
+  int steps = 250;
+  std::filesystem::path csv;
+};
+
+void choose_stress(const Arguments& arguments, solver::ElementTest& test) {
+  const bool split = arguments.sigma_v0_kPa.has_value() || arguments.sigma_h0_kPa.has_value();
+  if (arguments.p_0_kPa && split) throw BadInput("give either --p0_kPa or --sigma_v0_kPa and --sigma_h0_kPa");
+  if (split && !arguments.sigma_v0_kPa) throw BadInput("--sigma_h0_kPa needs --sigma_v0_kPa too");
+  // Without a horizontal stress: that of K_0 = 0.5 in the oedometer, the vertical one otherwise.
+  const double K_0 = arguments.path == solver::ElementPath::oedometer && !arguments.p_0_kPa ? 0.5 : 1.0;
+  test.sigma_a = arguments.sigma_v0_kPa.value_or(arguments.p_0_kPa.value_or(100.0)) * kPa;
+  test.sigma_r = arguments.sigma_h0_kPa ? *arguments.sigma_h0_kPa * kPa : K_0 * test.sigma_a;
+}
+
+solver::ElementTest make_test(const Arguments& arguments) {
+  const auto profile = arguments.clay ? solver::Profile::homogeneous_clay : solver::Profile::homogeneous_sand;
+  solver::Setup setup = solver::make_setup(profile, solver::Preset::standard);
+  std::vector<std::string> settings = arguments.settings;
+  if (arguments.D_r_percent) settings.push_back(fmt::format("sand.D_r_percent={}", *arguments.D_r_percent));
+  for (const std::string& setting : settings) set_quantity(setup, setting, arguments.clay ? "clay." : "sand.");
+  if (arguments.D_r_percent && (arguments.clay || arguments.e_0))
+    throw BadInput("--D_r_percent is for sand, and in place of --e0");
+
+  solver::ElementTest test;
+  test.path = arguments.path;
+  test.drained = arguments.drained;
+  if (arguments.clay)
+    test.material = setup.clay;
+  else
+    test.material = setup.sand;
+  choose_stress(arguments, test);
+  if (arguments.e_0) test.e_0 = *arguments.e_0;
+  if (arguments.p_i_kPa) test.p_i = *arguments.p_i_kPa * kPa;
+  if (arguments.max_sigma_v_kPa) test.max_axial_stress = *arguments.max_sigma_v_kPa * kPa;
+  test.max_axial_strain = arguments.strain_percent * 0.01;
+  test.steps = arguments.steps;
+  return test;
+}
+
+results::Cell cell(double value) {
+  if (std::isnan(value)) return std::monostate{};
+  return value;
+}
+
+// Every `stride`-th row, and the last.
+results::Table make_table(const std::vector<solver::ElementRow>& rows, std::size_t stride) {
+  results::Table table{{"eps_a", "eps_v", "q_kPa", "p_kPa", "e", "psi", "p_i_kPa"}, {}};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const solver::ElementRow& row = rows[i];
+    if (i % stride == 0 || i + 1 == rows.size())
+      table.rows.push_back({cell(row.eps_a), cell(row.eps_v), cell(row.q / kPa), cell(row.p / kPa), cell(row.e),
+                            cell(row.psi), cell(row.p_i / kPa)});
+  }
+  return table;
+}
+
+void write_csv(const std::filesystem::path& file, const results::Table& table) {
+  std::ofstream stream(file);
+  stream << results::format(table, results::Format::csv);
+  stream.close();
+  if (!stream) throw results::Error(fmt::format("cannot write {}", file.string()));
+}
+
+int element(const Arguments& arguments) {
+  const solver::ElementResult result = solver::run_element_test(make_test(arguments));
+  if (!arguments.csv.empty() && !result.rows.empty()) {
+    write_csv(arguments.csv, make_table(result.rows, 1));
+    fmt::print("{} rows: {}\n", result.rows.size(), arguments.csv.string());
+  } else if (!result.rows.empty()) {
+    const std::size_t stride = std::max<std::size_t>(1, (result.rows.size() - 1) / 25);
+    fmt::print("{}", results::format(make_table(result.rows, stride), results::Format::table));
+  }
+  if (result.problem.empty()) return all_well;
+  throw BadInput(fmt::format("the test did not run to its end: {}", result.problem));
+}
+
+void add_path(CLI::App& command, const char* name, const char* meaning, solver::ElementPath path, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  arguments->path = path;
+  CLI::App* sub = command.add_subcommand(name, meaning);
+  sub->add_option_function<std::string>(
+         "--material", [arguments](const std::string& material) { arguments->clay = material == "clay"; },
+         "sand (NorSand) or clay (Tresca)")
+      ->check(CLI::IsMember({"sand", "clay"}))
+      ->default_str("sand");
+  if (path == solver::ElementPath::triaxial)
+    sub->add_flag("--drained,!--undrained", arguments->drained, "Constant cell pressure [default], or constant volume");
+  sub->add_option("--set", arguments->settings,
+                  "NAME=VALUE, any quantity of the material in its study unit; may be repeated")
+      ->type_name("NAME=VALUE");
+  sub->add_option("--e0", arguments->e_0, "Initial void ratio [from D_r or the porosity]");
+  sub->add_option("--D_r_percent", arguments->D_r_percent, "Initial relative density of sand");
+  sub->add_option("--p0_kPa", arguments->p_0_kPa, "Initial stress, equal all round [100]");
+  sub->add_option("--sigma_v0_kPa", arguments->sigma_v0_kPa, "Initial axial stress");
+  sub->add_option("--sigma_h0_kPa", arguments->sigma_h0_kPa, "Initial radial stress");
+  sub->add_option("--p_i_kPa", arguments->p_i_kPa, "Initial image pressure of sand [yield surface and OCR]");
+  sub->add_option("--strain_percent", arguments->strain_percent, "Axial strain at the end, natural [25]")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--max_sigma_v_kPa", arguments->max_sigma_v_kPa, "End where the axial stress passes this");
+  sub->add_option("--steps", arguments->steps, "Rows of the result [250]")->check(CLI::Range(1, 10'000'000));
+  sub->add_option("--csv", arguments->csv, "Write all rows to this file instead of printing some");
+  sub->footer(
+      "\nColumns: axial and volumetric strain (natural, compression positive), q, p, void ratio,\n"
+      "state parameter psi and image pressure p_i (sand).");
+  sub->callback([arguments, &action] { action = [arguments] { return element(*arguments); }; });
+}
+
+}  // namespace
+
+void add_element(CLI::App& program, Action& action) {
+  CLI::App* command =
+      program.add_subcommand("element", "Single-element test through the constitutive code of the push");
+  command->require_subcommand(1);
+  add_path(*command, "triaxial", "Axial compression at constant cell pressure, or at constant volume",
+           solver::ElementPath::triaxial, action);
+  add_path(*command, "oedometer", "Axial compression without radial strain", solver::ElementPath::oedometer, action);
+  add_path(*command, "isotropic", "Compression with equal strain all round", solver::ElementPath::isotropic, action);
+  command->footer(R"(
+Examples:
+  campaign element triaxial --D_r_percent 80 --p0_kPa 320 --csv dense.csv
+  campaign element triaxial --undrained --material clay --set clay.s_u_kPa=33.5
+  campaign element oedometer --sigma_v0_kPa 20 --max_sigma_v_kPa 10000 --set sand.H=75)");
+}
+
+}  // namespace cpt::cli

@@ -1,0 +1,113 @@
+// campaign list WHAT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/format_option.hpp"
+#include "results/query.hpp"
+#include "solver/presets.hpp"
+#include "solver/quantities.hpp"
+#include "solver/simulate.hpp"
+
+namespace cpt::cli {
+namespace {
+
+using results::Table;
+
+std::string range(const solver::Quantity& quantity) {
+  if (quantity.choices.empty()) return fmt::format("{} to {}", quantity.min, quantity.max);
+  return fmt::format("{}", fmt::join(quantity.choices, ", "));
+}
+
+Table quantities() {
+  const solver::Setup setup = solver::make_setup(solver::Profile::layered_sand_clay, solver::Preset::standard);
+  Table table{{"name", "symbol", "unit", "range", "default", "meaning", "source"}, {}};
+  for (const solver::Quantity& quantity : solver::all_quantities())
+    table.rows.push_back({std::string(quantity.name), std::string(quantity.symbol), std::string(quantity.unit),
+                          range(quantity), quantity.format(quantity.value(setup)), std::string(quantity.meaning),
+                          std::string(quantity.source)});
+  return table;
+}
+
+Table profiles() {
+  Table table{{"profile", "layers"}, {}};
+  for (const solver::Profile profile : solver::all_profiles()) {
+    std::string layers;
+    for (const solver::Layer& layer : solver::make_setup(profile, solver::Preset::standard).layers)
+      layers += fmt::format("{}{} {} to {} m", layers.empty() ? "" : ", ",
+                            layer.soil == solver::Soil::sand ? "sand" : "clay", layer.top, layer.bottom);
+    table.rows.push_back({std::string(to_string(profile)), layers});
+  }
+  return table;
+}
+
+Table presets() {
+  Table table{{"preset", "columns x rows per metre of material points", "elements over the cone's radius"}, {}};
+  for (const solver::Preset preset : solver::all_presets()) {
+    const solver::Numerics numerics = solver::make_setup(solver::Profile::homogeneous_sand, preset).numerics;
+    std::string zones;
+    for (const solver::PointZone& zone : numerics.zones)
+      zones += fmt::format("{}{} x {}", zones.empty() ? "" : ", ", zone.columns, zone.rows_per_metre);
+    table.rows.push_back({std::string(to_string(preset)), zones, std::int64_t{numerics.face_elements}});
+  }
+  return table;
+}
+
+Table queries() {
+  Table table{{"query", "meaning"}, {}};
+  for (const results::NamedQuery& query : results::named_queries())
+    table.rows.push_back({std::string(query.name), std::string(query.meaning)});
+  return table;
+}
+
+Table outcomes() {
+  using solver::Status;
+  Table table{{"outcome", "meaning"}, {}};
+  const std::pair<Status, const char*> meanings[] = {
+      {Status::completed, "pushed to the final depth, audit passed"},
+      {Status::did_not_converge, "the stress integration or the motion broke down"},
+      {Status::energy_drift, "the energy balance left its tolerance"},
+      {Status::time_limit, "wall-clock limit, or no step for too long"},
+      {Status::invalid_parameters, "the inputs describe no possible model"},
+      {Status::crashed, "its process died; the reason says how"},
+      {Status::rank_lost, "the MPI ranks that ran it were lost"}};
+  for (const auto& [status, meaning] : meanings)
+    table.rows.push_back({std::string(to_string(status)), std::string(meaning)});
+  return table;
+}
+
+struct Listing {
+  const char* name;
+  const char* meaning;
+  Table (*make)();
+};
+constexpr Listing listings[] = {
+    {"quantities", "everything a study can set or vary: name, unit, valid range, default, source", quantities},
+    {"profiles", "soil profiles a study can start from", profiles},
+    {"presets", "resolutions of the model", presets},
+    {"queries", "what campaign query answers", queries},
+    {"outcomes", "how a realization can end", outcomes},
+};
+
+}  // namespace
+
+void add_list(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand("list", "Print what there is to choose from");
+  command->require_subcommand(1);
+  for (const Listing& listing : listings) {
+    CLI::App* sub = command->add_subcommand(listing.name, listing.meaning);
+    auto format = std::make_shared<results::Format>(results::Format::table);
+    add_format_option(*sub, *format);
+    sub->callback([&listing, format, &action] {
+      action = [&listing, format] {
+        fmt::print("{}", results::format(listing.make(), *format));
+        return static_cast<int>(all_well);
+      };
+    });
+  }
+}
+
+}  // namespace cpt::cli

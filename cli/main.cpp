@@ -1,0 +1,103 @@
+// campaign: uncertainty and sensitivity of simulated cone penetration tests.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+#include <vector>
+
+#include "campaign/mpi_transport.hpp"
+#include "campaign/realization_child.hpp"
+#include "cli/command.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/study_argument.hpp"
+#include "results/error.hpp"
+#include "results/provenance.hpp"
+#include "solver/quantities.hpp"
+#include "solver/simulate.hpp"
+
+namespace {
+
+using namespace cpt;
+
+constexpr const char* examples = R"(
+Examples:
+  campaign sens.toml                         run the study, or go on with it, on all cores
+  mpirun -np 2 campaign sens.toml            the same with two MPI ranks, also over several machines
+  campaign run sens.toml --plan              what would be run
+  campaign query sens.toml sensitivity       the sensitivity indices so far
+  campaign report sens.toml                  figures and tables in sens-report/
+  campaign element triaxial --p0_kPa 100     a triaxial test of the sand
+  campaign list quantities                   everything a study can set
+
+)";
+
+// `campaign STUDY ...` means `campaign run STUDY ...`. Throws BadInput for a word that is neither command nor study.
+std::vector<std::string> command_line(int argc, char** argv, const CLI::App& program) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty()) return words;
+  const std::string& first = words.front();
+  for (const std::string_view own : {"-h", "--help", "--version"})
+    if (first == own) return words;
+  std::vector<std::string_view> commands;
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  commands.assign(names.begin(), names.end());
+  if (std::find(commands.begin(), commands.end(), first) != commands.end()) return words;
+  std::error_code ignored;
+  if (first.starts_with('-') || first.ends_with(".toml") || std::filesystem::is_regular_file(first, ignored)) {
+    words.insert(words.begin(), "run");
+    return words;
+  }
+  const std::string_view near = solver::nearest_name(first, commands);
+  throw cli::BadInput(fmt::format("'{}' is neither a command nor a study file (NAME.toml){}", first,
+                                  near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App program("Uncertainty and sensitivity of simulated cone penetration tests", "campaign");
+  program.set_version_flag("--version", fmt::format("campaign {} (solver {})", results::program_version(),
+                                                    solver::solver_version()));
+  program.footer(std::string(examples) + cli::exit_code_help);
+  program.require_subcommand(1);
+  cli::Action action;
+  for (const auto add :
+       {cli::add_run, cli::add_rerun, cli::add_query, cli::add_report, cli::add_element, cli::add_list})
+    add(program, action);
+
+  std::vector<std::string> words = command_line(argc, argv, program);
+  if (words.empty()) words.emplace_back("--help");
+  try {
+    std::reverse(words.begin(), words.end());  // as CLI11 takes a vector
+    program.parse(words);
+  } catch (const CLI::ParseError& end) {
+    // --help and --version end here too, with code 0. Of several MPI ranks only the first speaks.
+    if (campaign::rank_from_environment() == 0) program.exit(end);
+    return end.get_exit_code() == 0 ? cli::all_well : cli::bad_input;
+  }
+  return action();
+}
+
+int complain(std::string_view message, int code) {
+  if (campaign::rank_from_environment() == 0) fmt::print(stderr, "{}\n", message);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // The process of one realization; started by the campaign only.
+  if (argc == 2 && std::string_view(argv[1]) == "realize") return campaign::serve_realization(solver::simulate);
+  try {
+    return run_program(argc, argv);
+  } catch (const cli::BadInput& problem) {
+    return complain(problem.what(), cli::bad_input);
+  } catch (const results::Locked& problem) {
+    return complain(problem.what(), cli::database_in_use);
+  } catch (const results::Error& problem) {
+    return complain(problem.what(), cli::unusable_file);
+  } catch (const std::exception& problem) {
+    return complain(fmt::format("internal error: {}", problem.what()), cli::internal_error);
+  }
+}

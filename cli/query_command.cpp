@@ -1,0 +1,63 @@
+// campaign query STUDY|DB WHAT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/format_option.hpp"
+#include "cli/study_argument.hpp"
+#include "results/query.hpp"
+
+namespace cpt::cli {
+namespace {
+
+struct Arguments {
+  std::filesystem::path source;
+  std::string what;
+  std::string sql;
+  results::Format format = results::Format::table;
+};
+
+std::string what_help() {
+  std::string help = "\nWHAT is one of\n";
+  for (const results::NamedQuery& query : results::named_queries())
+    help += fmt::format("  {:<14}{}\n", query.name, query.meaning);
+  help += fmt::format("  {:<14}{}\n", "sql \"...\"", "one read-only SQL statement of your own (docs/schema.md)");
+  help += R"(
+Examples:
+  campaign query sens.toml sensitivity
+  campaign query sens.sqlite realizations --format csv > realizations.csv
+  campaign query sens.toml sql "select parameter, si from sensitivity where above_noise")";
+  return help;
+}
+
+int query(const Arguments& arguments) {
+  const bool sql = arguments.what == "sql";
+  if (sql == arguments.sql.empty())
+    throw BadInput(sql ? "query sql needs a statement: campaign query STUDY sql \"select ...\""
+                       : fmt::format("unexpected '{}' after {}", arguments.sql, arguments.what));
+  const std::filesystem::path database = database_of(arguments.source);
+  const results::Table table =
+      sql ? results::query_sql(database, arguments.sql) : results::query(database, arguments.what);
+  fmt::print("{}", results::format(table, arguments.format));
+  return all_well;
+}
+
+}  // namespace
+
+void add_query(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand("query", "Print results from a campaign's database");
+  command->add_option("STUDY|DB", arguments->source, "Study file or database")->required();
+  std::vector<std::string> names{"sql"};
+  for (const results::NamedQuery& query : results::named_queries()) names.emplace_back(query.name);
+  command->add_option("WHAT", arguments->what, "What to print")->required()->check(CLI::IsMember(names));
+  command->add_option("SQL", arguments->sql, "Statement, after sql");
+  add_format_option(*command, arguments->format);
+  command->footer(what_help());
+  command->callback([arguments, &action] { action = [arguments] { return query(*arguments); }; });
+}
+
+}  // namespace cpt::cli

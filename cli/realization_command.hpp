@@ -1,0 +1,19 @@
+// How the process of one realization is started.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace cpt::cli {
+
+/// Hidden option --executor PROGRAM: what runs a realization in place of this program, for tests.
+void add_executor_option(CLI::App& command, std::string& executor);
+
+/// This program started anew, or the given executor.
+[[nodiscard]] std::vector<std::string> realization_command(const std::string& executor);
+
+}  // namespace cpt::cli

@@ -1,0 +1,122 @@
+// campaign [run] STUDY
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "campaign/mpi_transport.hpp"
+#include "campaign/run_campaign.hpp"
+#include "campaign/stop_signals.hpp"
+#include "campaign/worker.hpp"
+#include "cli/command.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/plan.hpp"
+#include "cli/realization_command.hpp"
+#include "cli/study_argument.hpp"
+#include "reports/report.hpp"
+#include "results/snapshot.hpp"
+
+namespace cpt::cli {
+namespace {
+
+struct Arguments {
+  std::filesystem::path study;
+  bool validate = false;
+  bool plan = false;
+  bool quiet = false;
+  bool no_report = false;
+  std::string executor;
+  campaign::RunOptions options;
+};
+
+void report(const parameters::Study& study) {
+  const auto files = reports::write_report(results::read_snapshot(study.database), study.report_dir);
+  if (!files.empty()) fmt::print("report: {}\n", files.front().string());
+}
+
+int exit_code(const campaign::Summary& summary) {
+  if (summary.signal != 0) return stopped_by_signal + summary.signal;
+  return summary.complete() ? all_well : realizations_failed;
+}
+
+int run_as_master(const Arguments& arguments, campaign::Transport& transport, bool& ranks_lost) {
+  const campaign::Dismissal dismissal(transport);
+  const StudyFile file = read_study_file(arguments.study);
+  const auto style = arguments.quiet ? campaign::ProgressDisplay::Style::silent
+                                     : campaign::ProgressDisplay::style_of(stderr);
+  campaign::ProgressDisplay display(stderr, style);
+  const campaign::Summary summary =
+      campaign::run_campaign(file.study, file.text, transport, arguments.options, display);
+  ranks_lost = summary.ranks_lost;
+
+  const campaign::Tally& tally = summary.tally;
+  if (!arguments.quiet)
+    fmt::print("{} of {} realizations completed, {} failed; database: {}\n", tally.finished, tally.total(),
+               tally.failed, file.study.database.string());
+  if (summary.signal != 0)
+    fmt::print(stderr, "stopped by signal {}; the same command goes on where this one stopped\n", summary.signal);
+  else if (!arguments.no_report)
+    report(file.study);
+  return exit_code(summary);
+}
+
+int run(const Arguments& arguments) {
+  const bool first_rank = campaign::rank_from_environment() == 0;
+  if (arguments.validate || arguments.plan) {
+    if (!first_rank) return all_well;
+    const StudyFile file = read_study_file(arguments.study);
+    if (arguments.plan) print_plan(file.study);
+    return arguments.validate ? validate(file.study) : all_well;
+  }
+
+  const campaign::StopSignals signals;
+  bool ranks_lost = false;
+  if (!campaign::started_by_mpi()) {
+    campaign::InProcessTransport transport;
+    return run_as_master(arguments, transport, ranks_lost);
+  }
+  campaign::MpiTransport transport;
+  if (transport.rank() != 0) {
+    campaign::serve_master(transport, arguments.options);
+    return all_well;
+  }
+  const int code = run_as_master(arguments, transport, ranks_lost);
+  if (ranks_lost) transport.abandon(code);
+  return code;
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand("run", "Run a study, or go on with it: finished realizations are kept");
+  command->add_option("STUDY", arguments->study, "Study file (NAME.toml); results go to NAME.sqlite and NAME.h5 beside it")
+      ->required();
+  command->add_flag("--validate", arguments->validate, "Check the study, build every model once, and quit");
+  command->add_flag("--plan", arguments->plan, "Print the realizations and quit");
+  command->add_option("--slots", arguments->options.slots, "Cores each rank uses [its share of the machine's]")
+      ->check(CLI::Range(1, 4096));
+  command
+      ->add_option("--threads", arguments->options.threads,
+                   "Threads of each realization [1, and more for the last ones]; no result depends on it")
+      ->check(CLI::Range(1, 4096));
+  command
+      ->add_option("--hang-limit", arguments->options.hang_limit_seconds,
+                   "Seconds without a step after which a realization is ended [300]")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--rank-limit", arguments->options.rank_limit_seconds,
+                   "Seconds of silence after which an MPI rank counts as lost [30]")
+      ->check(CLI::Range(5.0, 1.0e6));
+  command->add_flag("--retry-failed", arguments->options.retry_failed, "Run failed realizations again");
+  command->add_flag("--quiet", arguments->quiet, "No progress, no summary");
+  command->add_flag("--no-report", arguments->no_report, "Do not write the report at the end");
+  add_executor_option(*command, arguments->executor);
+  command->footer(std::string("\n") + exit_code_help);
+  command->callback([arguments, &action] {
+    arguments->options.realization_command = realization_command(arguments->executor);
+    action = [arguments] { return run(*arguments); };
+  });
+}
+
+}  // namespace cpt::cli

@@ -1,0 +1,29 @@
+#include "cli/study_argument.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "parameters/read_study.hpp"
+
+namespace cpt::cli {
+
+StudyFile read_study_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::ifstream stream;
+  if (!std::filesystem::is_directory(file, ignored)) stream.open(file, std::ios::binary);
+  if (!stream.is_open()) throw BadInput(fmt::format("cannot read the study {}", file.string()));
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  auto parsed = parameters::parse_study(text, file);
+  if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
+    throw BadInput(parameters::format(*errors));
+  return {std::get<parameters::Study>(std::move(parsed)), std::move(text)};
+}
+
+std::filesystem::path database_of(const std::filesystem::path& study_or_database) {
+  if (study_or_database.extension() == ".toml") return read_study_file(study_or_database).study.database;
+  return study_or_database;
+}
+
+}  // namespace cpt::cli

@@ -1,0 +1,29 @@
+// The STUDY and STUDY|DB arguments that most commands take.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include "parameters/study.hpp"
+
+namespace cpt::cli {
+
+/// The command line asks for something that cannot be; `what()` is the whole message. Ends with exit code 2.
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A study and the text it was read from.
+struct StudyFile {
+  parameters::Study study;
+  std::string text;
+};
+
+/// Throws BadInput with all of the study's errors.
+[[nodiscard]] StudyFile read_study_file(const std::filesystem::path& file);
+
+/// A campaign's database, found from the study (NAME.toml) or given itself.
+[[nodiscard]] std::filesystem::path database_of(const std::filesystem::path& study_or_database);
+
+}  // namespace cpt::cli

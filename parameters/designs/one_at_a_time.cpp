@@ -1,0 +1,24 @@
+#include "parameters/designs/one_at_a_time.hpp"
+
+namespace cpt::parameters {
+
+std::vector<Realization> one_at_a_time(const Study& study) {
+  std::vector<Realization> realizations = {{1, -1, Side::baseline}};
+  const auto add = [&](int row, Side side) {
+    realizations.push_back({static_cast<int>(realizations.size()) + 1, row, side});
+  };
+  for (int i = 0; i < static_cast<int>(study.rows.size()); ++i) {
+    const Row& row = study.rows[static_cast<std::size_t>(i)];
+    if (row.lower != row.baseline) add(i, Side::lower);
+    if (row.upper != row.baseline) add(i, Side::upper);
+  }
+  return realizations;
+}
+
+int realization_of(std::span<const Realization> realizations, int row, Side side) {
+  for (const Realization& realization : realizations)
+    if (realization.row == row && realization.side == side) return realization.id;
+  return realizations.front().id;
+}
+
+}  // namespace cpt::parameters

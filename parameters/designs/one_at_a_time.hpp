@@ -1,0 +1,19 @@
+// One-at-a-time design: the baseline, then each row of the study at its lower and at its upper bound.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "parameters/realization.hpp"
+#include "parameters/study.hpp"
+
+namespace cpt::parameters {
+
+/// The baseline first (id 1), then rows in file order, lower before upper. A bound equal to the baseline has
+/// no realization of its own.
+[[nodiscard]] std::vector<Realization> one_at_a_time(const Study& study);
+
+/// Id of the realization that holds one side of a row; the baseline's where the bound equals the baseline.
+[[nodiscard]] int realization_of(std::span<const Realization> realizations, int row, Side side);
+
+}  // namespace cpt::parameters

@@ -1,0 +1,262 @@
+#include "parameters/read_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace cpt::parameters {
+namespace {
+
+using solver::Quantity;
+
+struct OtherUnit {
+  std::string_view unit;   // of the study files
+  std::string_view other;  // what may have been meant
+  double factor;           // from the other to the study unit
+};
+constexpr std::array<OtherUnit, 9> other_units = {{{"kPa", "Pa", 1.0e-3},
+                                                   {"kPa", "MPa", 1.0e3},
+                                                   {"m", "mm", 1.0e-3},
+                                                   {"m", "cm", 1.0e-2},
+                                                   {"m", "km", 1.0e3},
+                                                   {"m/s", "mm/s", 1.0e-3},
+                                                   {"kg/m3", "g/cm3", 1.0e3},
+                                                   {"%", "(as a fraction)", 100.0},
+                                                   {"deg", "rad", 180.0 / std::numbers::pi}}};
+
+// "the unit is kPa: 27900 Pa would be 27.9" where another unit brings the value into its range.
+std::string unit_hint(const Quantity& quantity, double value) {
+  std::string hint;
+  for (const OtherUnit& other : other_units) {
+    const double converted = value * other.factor;
+    if (other.unit != quantity.unit || converted < quantity.min || converted > quantity.max) continue;
+    hint += fmt::format("{}{} {} would be {:.6g}", hint.empty() ? "" : ", ", value, other.other, converted);
+  }
+  return hint.empty() ? "" : fmt::format("the unit is {}: {}", quantity.unit, hint);
+}
+
+std::optional<double> read_choice(const Value& value, const Quantity& quantity, const std::string& key,
+                                  ErrorList& errors) {
+  if (value.kind != Value::Kind::text) {
+    errors.add(value.place, key,
+               fmt::format("must be one of {}, not {}", listed(quantity.choices), to_string(value.kind)));
+    return std::nullopt;
+  }
+  const auto found = std::find(quantity.choices.begin(), quantity.choices.end(), value.text);
+  if (found != quantity.choices.end()) return static_cast<double>(found - quantity.choices.begin());
+  const std::string_view near = solver::nearest_name(value.text, quantity.choices);
+  errors.add(value.place, key, fmt::format("\"{}\" is not one of {}", value.text, listed(quantity.choices)),
+             near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
+  return std::nullopt;
+}
+
+// A value of the quantity, in study units.
+std::optional<double> read_value(const Value& value, const Quantity& quantity, const std::string& key,
+                                 ErrorList& errors) {
+  if (!quantity.choices.empty()) return read_choice(value, quantity, key, errors);
+  const std::optional<double> number = finite_number(value, key, errors);
+  if (!number) return std::nullopt;
+  if (*number < quantity.min || *number > quantity.max) {
+    const std::string unit = quantity.unit == "-" ? "" : fmt::format(" {}", quantity.unit);
+    errors.add(
+        value.place, key,
+        fmt::format("{} is outside the valid range {} to {}{}", *number, quantity.min, quantity.max, unit),
+        unit_hint(quantity, *number));
+    return std::nullopt;
+  }
+  if (quantity.integer && *number != std::round(*number)) {
+    errors.add(value.place, key, fmt::format("{} must be a whole number", *number));
+    return std::nullopt;
+  }
+  return number;
+}
+
+constexpr std::array<std::string_view, 4> row_keys = {"baseline", "lower", "upper", "alternative"};
+
+// A quantity named in a section.
+struct Named {
+  const Quantity* quantity;
+  const Member* member;
+  std::string key;  // with the section
+};
+
+bool is_group(std::string_view name) {
+  const auto list = solver::all_quantities();
+  return std::any_of(list.begin(), list.end(), [&](const Quantity& quantity) {
+    return quantity.name.size() > name.size() && quantity.name.starts_with(name) &&
+           quantity.name[name.size()] == '.';
+  });
+}
+
+void refuse_unknown_quantity(std::string_view section_name, const std::string& name, Place place,
+                             ErrorList& errors) {
+  const std::string_view near = solver::nearest_quantity(name);
+  if (is_group(name))
+    return errors.add(place, joined(section_name, name), "is a group of quantities",
+                      fmt::format("name one of them: {}.NAME", name));
+  std::string hint = "`campaign list quantities` prints all of them";
+  if (name == "layers" || name == "numerics.zones" || name == "zones")
+    hint = fmt::format("give a [[{}]] table for each", name == "layers" ? "layers" : "zones");
+  else if (!near.empty())
+    hint = fmt::format("did you mean {}?", near);
+  errors.add(place, joined(section_name, name), "unknown quantity", std::move(hint));
+}
+
+// Quantities of a section in file order; groups may be spelt as nested tables.
+void collect(const Value& table, std::string_view section_name, const std::string& prefix,
+             std::vector<Named>& found, ErrorList& errors) {
+  for (const Member& member : table.members) {
+    const std::string name = joined(prefix, member.key);
+    const Quantity* quantity = solver::find_quantity(name);
+    if (quantity != nullptr)
+      found.push_back({quantity, &member, joined(section_name, name)});
+    else if (member.value.kind == Value::Kind::table && is_group(name))
+      collect(member.value, section_name, name, found, errors);
+    else
+      refuse_unknown_quantity(section_name, name, member.place, errors);
+  }
+}
+
+std::vector<Named> named_quantities(const Value& root, std::string_view section_name, ErrorList& errors) {
+  std::vector<Named> found;
+  if (const Value* table = section(root, section_name, errors))
+    collect(*table, section_name, "", found, errors);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Named& a, const Named& b) { return a.member->place < b.member->place; });
+  return found;
+}
+
+class Reader {
+ public:
+  Reader(const solver::Setup& setup, bool any_soil, ErrorList& errors)
+      : setup_(setup), any_soil_(any_soil), errors_(errors) {}
+
+  QuantitySections read(const Value& root) {
+    for (const Named& named : named_quantities(root, "fixed", errors_))
+      if (acceptable(named)) read_fixed(named);
+    for (const Named& named : named_quantities(root, "parameters", errors_))
+      if (acceptable(named)) read_row(named);
+    return std::move(sections_);
+  }
+
+ private:
+  // Named once, and of a soil that the profile contains.
+  bool acceptable(const Named& named) {
+    const auto [first, inserted] = first_.try_emplace(named.quantity, named.key, named.member->place);
+    if (!inserted) {
+      const auto& [key, place] = first->second;
+      errors_.add(named.member->place, named.key,
+                  fmt::format("is already given as {} in line {}", key, place.line), "keep one of the two");
+      return false;
+    }
+    const std::optional<solver::Soil> soil = named.quantity->soil;
+    if (any_soil_ || !soil || solver::contains(setup_, *soil)) return true;
+    errors_.add(
+        named.member->place, named.key,
+        fmt::format("has no effect: the profile has no {}", *soil == solver::Soil::sand ? "sand" : "clay"));
+    return false;
+  }
+
+  void doubt(const Named& named) { sections_.doubtful.emplace(named.quantity->name); }
+
+  void read_fixed(const Named& named) {
+    const Value& value = named.member->value;
+    if (value.kind == Value::Kind::table) {
+      errors_.add(named.member->place, named.key, "must be one value, not a table",
+                  "a row with bounds goes under [parameters]");
+      return doubt(named);
+    }
+    if (const auto number = read_value(value, *named.quantity, named.key, errors_))
+      sections_.settings.push_back({named.quantity, *number, named.key, named.member->place});
+    else
+      doubt(named);
+  }
+
+  // One number of a row.
+  struct Bound {
+    const Member* member = nullptr;
+    std::optional<double> value;
+
+    [[nodiscard]] bool sound() const { return member == nullptr || value.has_value(); }
+  };
+
+  Bound read_bound(const Named& named, std::string_view name) {
+    const Member* member = named.member->value.find(name);
+    if (member == nullptr) return {};
+    return {member, read_value(member->value, *named.quantity, joined(named.key, name), errors_)};
+  }
+
+  void read_row(const Named& named) {
+    const Quantity& quantity = *named.quantity;
+    const Value& table = named.member->value;
+    if (table.kind != Value::Kind::table) {
+      errors_.add(named.member->place, named.key,
+                  fmt::format("must be a row such as {{ baseline = ..., lower = ..., upper = ... }}, not {}",
+                              to_string(table.kind)),
+                  "a single value goes under [fixed]");
+      return doubt(named);
+    }
+    const bool known_keys = refuse_unknown_keys(table, named.key, row_keys, errors_);
+    const Bound baseline = read_bound(named, "baseline"), lower = read_bound(named, "lower"),
+                upper = read_bound(named, "upper"), alternative = read_bound(named, "alternative");
+    if (!baseline.sound()) return doubt(named);
+    const double value = baseline.value.value_or(quantity.value(setup_));
+    if (baseline.value) sections_.settings.push_back({named.quantity, value, named.key, named.member->place});
+
+    const bool lower_in_order = not_crossed(named, value, lower, "lower");
+    const bool in_order = not_crossed(named, value, upper, "upper") && lower_in_order;
+    if (!known_keys || !in_order || !lower.sound() || !upper.sound() || !alternative.sound()) return;
+    if (alternative.value && (lower.value || upper.value)) {
+      errors_.add(alternative.member->place, joined(named.key, "alternative"),
+                  "cannot stand beside lower or upper", "keep the alternative, or the bounds");
+      return;
+    }
+    const bool alternative_is_lower = alternative.value && *alternative.value < value;
+    add_row(named, value, alternative_is_lower ? alternative : lower,
+            alternative.value && !alternative_is_lower ? alternative : upper);
+  }
+
+  bool not_crossed(const Named& named, double baseline, const Bound& side, std::string_view name) {
+    const bool is_lower = name == "lower";
+    if (!side.value || (is_lower ? *side.value <= baseline : *side.value >= baseline)) return true;
+    const Quantity& quantity = *named.quantity;
+    errors_.add(side.member->value.place, joined(named.key, name),
+                fmt::format("{} is {} the baseline {}", quantity.format(*side.value),
+                            is_lower ? "above" : "below", quantity.format(baseline)),
+                "lower <= baseline <= upper");
+    return false;
+  }
+
+  void add_row(const Named& named, double baseline, const Bound& lower, const Bound& upper) {
+    const Row row{named.quantity, baseline, lower.value.value_or(baseline), upper.value.value_or(baseline)};
+    if (row.lower == row.upper) {
+      errors_.add(named.member->place, named.key,
+                  fmt::format("nothing differs from the baseline {}", named.quantity->format(baseline)),
+                  "give lower, upper or an alternative, or move the value to [fixed]");
+      return;
+    }
+    const auto place = [&](const Bound& side) {
+      return side.member ? side.member->value.place : named.member->place;
+    };
+    sections_.rows.push_back({row, place(lower), place(upper)});
+  }
+
+  const solver::Setup& setup_;
+  bool any_soil_;
+  ErrorList& errors_;
+  QuantitySections sections_;
+  std::map<const Quantity*, std::pair<std::string, Place>> first_;
+};
+
+}  // namespace
+
+QuantitySections read_quantities(const Value& root, const solver::Setup& setup, bool any_soil,
+                                 ErrorList& errors) {
+  return Reader(setup, any_soil, errors).read(root);
+}
+
+}  // namespace cpt::parameters

@@ -1,0 +1,41 @@
+// The sections [fixed] and [parameters] of a study: quantities of the one list and their values.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "parameters/document.hpp"
+#include "parameters/fields.hpp"
+#include "parameters/study.hpp"
+
+namespace cpt::parameters {
+
+/// A quantity set in the file, with the key to name in errors.
+struct Setting {
+  const solver::Quantity* quantity;
+  double value;  ///< in the quantity's study unit
+  std::string key;
+  Place place;
+};
+
+/// A row and where its numbers stand.
+struct PlacedRow {
+  Row row;
+  Place lower, upper;
+};
+
+struct QuantitySections {
+  std::vector<Setting> settings;  ///< fixed inputs, then the rows' baselines
+  std::vector<PlacedRow> rows;    ///< those without errors, in file order
+  std::set<std::string>
+      doubtful;  ///< names of quantities with an error: their values are not to be judged further
+};
+
+/// Reads both sections. `setup` is the preset's, with the study's layers, for omitted baselines and for the
+/// soils that the profile contains; quantities of other soils are errors unless `any_soil`.
+[[nodiscard]] QuantitySections read_quantities(const Value& root, const solver::Setup& setup, bool any_soil,
+                                               ErrorList& errors);
+
+}  // namespace cpt::parameters

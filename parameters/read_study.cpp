@@ -1,0 +1,298 @@
+#include "parameters/read_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "parameters/check_study.hpp"
+#include "parameters/document.hpp"
+#include "parameters/fields.hpp"
+#include "parameters/read_quantities.hpp"
+
+namespace cpt::parameters {
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+template <class Enum>
+Names names_of(std::span<const Enum> values) {
+  Names names;
+  for (const Enum value : values) names.push_back(solver::to_string(value));
+  return names;
+}
+
+class StudyReader {
+ public:
+  StudyReader(const Value& root, std::filesystem::path file, ErrorList& errors)
+      : root_(root), errors_(errors) {
+    study_.file = std::move(file);
+    study_.name = study_.file.stem().string();
+  }
+
+  Study read() {
+    static constexpr std::array<std::string_view, 10> known = {"title",  "profile", "preset",     "output",
+                                                               "limits", "fixed",   "parameters", "windows",
+                                                               "layers", "zones"};
+    refuse_unknown_keys(root_, "", known, errors_);
+    study_.title = text_field(root_, "", "title", false, errors_).value_or(study_.name);
+    const bool profile_known = read_profile();
+    read_output();
+    read_limits();
+    const std::vector<solver::Layer> layers = read_layers();
+    read_zones();
+
+    if (!layers.empty()) study_.baseline.layers = layers;
+    const QuantitySections sections =
+        read_quantities(root_, study_.baseline, !profile_known && layers.empty(), errors_);
+    for (const Setting& setting : sections.settings)
+      setting.quantity->set_value(study_.baseline, setting.value);
+    for (const PlacedRow& placed : sections.rows) study_.rows.push_back(placed.row);
+    if (!layers.empty()) study_.baseline.layers = layers;  // setting the soil's height moves the last layer
+
+    read_windows();
+    if (profile_known) check_study(study_, sections, places_, errors_);
+    return std::move(study_);
+  }
+
+ private:
+  // The setup to start from; false if the file does not say which.
+  bool read_profile() {
+    const Names profiles = names_of(solver::all_profiles()), presets = names_of(solver::all_presets());
+    const auto profile = name_field(root_, "", "profile", true, profiles, errors_);
+    const auto preset = name_field(root_, "", "preset", false, presets, errors_);
+    study_.profile =
+        solver::profile_from_string(profile.value_or("")).value_or(solver::Profile::homogeneous_sand);
+    study_.preset = solver::preset_from_string(preset.value_or("")).value_or(solver::Preset::standard);
+    study_.baseline = solver::make_setup(study_.profile, study_.preset);
+    if (const Member* member = root_.find("profile")) places_.profile = member->place;
+    return profile.has_value() && (preset.has_value() || root_.find("preset") == nullptr);
+  }
+
+  void read_output() {
+    static constexpr std::array<std::string_view, 3> known = {"database", "curves", "report"};
+    study_.database = beside(study_.name + ".sqlite");
+    study_.curves = beside(study_.name + ".h5");
+    study_.report_dir = beside(study_.name + "-report");
+    const Value* table = section(root_, "output", errors_);
+    if (table == nullptr) return;
+    refuse_unknown_keys(*table, "output", known, errors_);
+    const auto read = [&](std::string_view key, std::filesystem::path& path) {
+      if (const auto text = text_field(*table, "output", key, false, errors_)) path = beside(*text);
+    };
+    read("database", study_.database);
+    read("curves", study_.curves);
+    read("report", study_.report_dir);
+    const std::array<std::filesystem::path, 4> paths = {study_.file, study_.database, study_.curves,
+                                                        study_.report_dir};
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      for (std::size_t j = i + 1; j < paths.size(); ++j)
+        if (paths[i] == paths[j])
+          errors_.add(
+              table->place, "output",
+              fmt::format("{} would hold two things: the study, its database, its curves and its report each "
+                          "need a path of their own",
+                          paths[i].string()));
+  }
+
+  [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& path) const {
+    return (study_.file.parent_path() / path).lexically_normal();
+  }
+
+  void read_limits() {
+    static constexpr std::array<std::string_view, 1> known = {"wall_minutes"};
+    study_.wall_limit_seconds = std::numeric_limits<double>::infinity();
+    const Value* table = section(root_, "limits", errors_);
+    if (table == nullptr) return;
+    refuse_unknown_keys(*table, "limits", known, errors_);
+    const auto minutes = number_field(*table, "limits", "wall_minutes", false, errors_);
+    if (!minutes) return;
+    if (*minutes <= 0.0)
+      errors_.add(table->find("wall_minutes")->value.place, "limits.wall_minutes",
+                  fmt::format("{} must be above 0", *minutes));
+    study_.wall_limit_seconds = *minutes * 60.0;
+  }
+
+  std::vector<solver::Layer> read_layers() {
+    static constexpr std::array<std::string_view, 3> known = {"top_m", "bottom_m", "soil"};
+    static constexpr std::array<std::string_view, 2> soils = {"sand", "clay"};
+    std::vector<solver::Layer> layers;
+    bool sound = true;
+    for (const Value* table : sections(root_, "layers", errors_)) {
+      if (places_.layers.line == 0) places_.layers = table->place;
+      refuse_unknown_keys(*table, "layers", known, errors_);
+      const auto top = number_field(*table, "layers", "top_m", true, errors_);
+      const auto bottom = number_field(*table, "layers", "bottom_m", true, errors_);
+      const auto soil = name_field(*table, "layers", "soil", true, soils, errors_);
+      sound = sound && top && bottom && soil;
+      if (sound) layers.push_back({*top, *bottom, *soil == "sand" ? solver::Soil::sand : solver::Soil::clay});
+    }
+    return sound ? layers : std::vector<solver::Layer>();
+  }
+
+  void read_zones() {
+    static constexpr std::array<std::string_view, 3> known = {"outer_radius_m", "columns", "rows_per_m"};
+    std::vector<solver::PointZone> zones;
+    bool sound = true;
+    for (const Value* table : sections(root_, "zones", errors_)) {
+      if (places_.zones.line == 0) places_.zones = table->place;
+      refuse_unknown_keys(*table, "zones", known, errors_);
+      const auto radius = number_field(*table, "zones", "outer_radius_m", true, errors_);
+      const auto columns = number_field(*table, "zones", "columns", true, errors_);
+      const auto rows = number_field(*table, "zones", "rows_per_m", true, errors_);
+      sound = sound && radius && columns && rows;
+      constexpr double most = 1.0e6;  // that fit the type; the solver's limit is lower
+      if (columns && (*columns != std::round(*columns) || std::abs(*columns) > most)) {
+        errors_.add(table->find("columns")->value.place, "zones.columns",
+                    fmt::format("{} must be a whole number of at most {}", *columns, most));
+        sound = false;
+      }
+      if (sound) zones.push_back({*radius, static_cast<int>(*columns), *rows});
+    }
+    if (sound && !zones.empty()) study_.baseline.numerics.zones = zones;
+  }
+
+  void read_windows() {
+    const Member* windows = root_.find("windows");
+    if (windows == nullptr || (windows->value.kind == Value::Kind::array && windows->value.items.empty()))
+      errors_.add(windows ? windows->place : Place{}, "windows",
+                  "is missing: a study needs at least one depth window to average q_c over",
+                  "add [[windows]] with name, from_m and to_m");
+    for (const Value* table : sections(root_, "windows", errors_)) read_window(*table);
+  }
+
+  void read_window(const Value& table) {
+    static constexpr std::array<std::string_view, 6> known = {"name",   "from_m",    "to_m",
+                                                              "centre", "between_m", "width_m"};
+    Window window;
+    bool sound = refuse_unknown_keys(table, "windows", known, errors_);
+    if (const auto name = text_field(table, "windows", "name", true, errors_)) {
+      window.name = *name;
+      sound = acceptable_name(*name, table.find("name")->value.place) && sound;
+    } else {
+      sound = false;
+    }
+    sound = (table.find("centre") ? read_centred(table, window) : read_interval(table, window)) && sound;
+    if (!sound) return;
+    study_.windows.push_back(window);
+    places_.windows.push_back(table.place);
+  }
+
+  bool acceptable_name(const std::string& name, Place place) {
+    const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+             c == '-';
+    });
+    if (!plain)
+      errors_.add(place, "windows.name", fmt::format("\"{}\" may hold only letters, digits, _ and -", name));
+    const bool unused = std::find(window_names_.begin(), window_names_.end(), name) == window_names_.end();
+    if (!unused) errors_.add(place, "windows.name", fmt::format("\"{}\" names another window already", name));
+    window_names_.push_back(name);
+    return plain && unused;
+  }
+
+  bool read_interval(const Value& table, Window& window) {
+    bool sound = refuse_fields(table, {"between_m", "width_m"}, "belongs to a window with a centre");
+    const auto from = number_field(table, "windows", "from_m", true, errors_);
+    const auto to = number_field(table, "windows", "to_m", true, errors_);
+    if (!from || !to) return false;
+    window.from = *from;
+    window.to = *to;
+    return ordered(*from, *to, table.find("to_m")->value.place, "windows.to_m") && sound;
+  }
+
+  bool read_centred(const Value& table, Window& window) {
+    static constexpr std::array<std::string_view, 2> centres = {"baseline_peak", "baseline_trough"};
+    bool sound = refuse_fields(table, {"from_m", "to_m"}, "belongs to a window without a centre");
+    const auto centre = name_field(table, "windows", "centre", true, centres, errors_);
+    const auto width = number_field(table, "windows", "width_m", true, errors_);
+    if (width && *width <= 0.0) {
+      errors_.add(table.find("width_m")->value.place, "windows.width_m",
+                  fmt::format("{} must be above 0", *width));
+      sound = false;
+    }
+    sound = read_between(table, window) && sound;
+    if (!centre || !width) return false;
+    window.kind = *centre == "baseline_peak" ? Window::Kind::peak : Window::Kind::trough;
+    window.width = *width;
+    return sound;
+  }
+
+  bool read_between(const Value& table, Window& window) {
+    const Member* between = table.find("between_m");
+    if (between == nullptr || between->value.kind != Value::Kind::array || between->value.items.size() != 2) {
+      errors_.add(between ? between->value.place : table.place, "windows.between_m",
+                  between ? "must be two depths, [from, to]" : "is missing",
+                  "such as between_m = [0.285, 0.325]");
+      return false;
+    }
+    const auto from = finite_number(between->value.items[0], "windows.between_m", errors_);
+    const auto to = finite_number(between->value.items[1], "windows.between_m", errors_);
+    if (!from || !to) return false;
+    window.from = *from;
+    window.to = *to;
+    return ordered(*from, *to, between->value.place, "windows.between_m");
+  }
+
+  bool refuse_fields(const Value& table, std::initializer_list<std::string_view> keys,
+                     const std::string& why) {
+    bool none = true;
+    for (const std::string_view key : keys) {
+      const Member* member = table.find(key);
+      if (member == nullptr) continue;
+      errors_.add(member->place, joined("windows", key), why);
+      none = false;
+    }
+    return none;
+  }
+
+  bool ordered(double from, double to, Place place, const std::string& key) {
+    if (from < to) return true;
+    errors_.add(place, key,
+                fmt::format("the window would go from {} m to {} m: depths grow downward", from, to));
+    return false;
+  }
+
+  const Value& root_;
+  ErrorList& errors_;
+  Study study_{};
+  StudyPlaces places_;
+  std::vector<std::string> window_names_;
+};
+
+}  // namespace
+
+StudyOrErrors parse_study(std::string_view toml, const std::filesystem::path& file) {
+  ErrorList errors(file.string());
+  const auto document = parse_document(toml);
+  if (const auto* syntax = std::get_if<SyntaxError>(&document)) {
+    errors.add(syntax->place, "", syntax->message, "the rest of the file is checked once this is mended");
+    return errors.sorted();
+  }
+  const auto absolute = std::filesystem::absolute(file).lexically_normal();
+  Study study = StudyReader(std::get<Value>(document), absolute, errors).read();
+  if (!errors.empty()) return errors.sorted();
+  return study;
+}
+
+StudyOrErrors read_study(const std::filesystem::path& file) {
+  ErrorList errors(file.string());
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(file, code)) {
+    errors.add({}, "", std::filesystem::exists(file, code) ? "is not a file" : "there is no such file");
+    return errors.sorted();
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) {
+    errors.add({}, "", "cannot be read");
+    return errors.sorted();
+  }
+  return parse_study(text.str(), file);
+}
+
+}  // namespace cpt::parameters

@@ -1,0 +1,104 @@
+#include "reports/depth_plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "reports/labels.hpp"
+#include "reports/palette.hpp"
+
+namespace cpt::reports {
+namespace {
+
+constexpr double kPa = 1.0e3;
+constexpr double glyph_width = 16.0;
+constexpr double text_size = 7.5;
+constexpr double entry_pitch = 13.0;
+
+}  // namespace
+
+bool DepthPlot::shows_clay(const std::vector<results::LayerRow>& layers) const {
+  return std::any_of(layers.begin(), layers.end(), [&](const results::LayerRow& layer) {
+    return layer.soil == "clay" && layer.top_m < depth.high && layer.bottom_m > depth.low;
+  });
+}
+
+void DepthPlot::draw_ground(Svg& svg, const std::vector<results::LayerRow>& layers, int ticks_across,
+                            int ticks_down) const {
+  for (const results::LayerRow& layer : layers) {
+    const double top = std::max(layer.top_m, depth.low);
+    const double bottom = std::min(layer.bottom_m, depth.high);
+    if (layer.soil == "clay" && bottom > top)
+      svg.rectangle({box.x, depth(top), box.width, depth(bottom) - depth(top)}, palette::clay);
+  }
+  draw_horizontal(svg, box, q_c, Edge::top, symbolic("q_c (kPa)"), ticks_across);
+  draw_vertical(svg, box, depth, plain("depth (m)"), ticks_down);
+}
+
+void DepthPlot::draw_curve(Svg& svg, const solver::DepthProfile& profile, const Pen& pen) const {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < profile.depth.size(); ++i)
+    points.push_back({q_c(profile.q_c[i] / kPa), depth(profile.depth[i])});
+  svg.polyline(points, pen);
+}
+
+void DepthPlot::draw_frame(Svg& svg) const { svg.frame(box, {palette::ink, 0.6, {}}); }
+
+void DepthPlot::draw_window_mark(Svg& svg, const results::WindowRow& window) const {
+  if (!window.problem.empty()) return;
+  const double top = depth(std::clamp(window.from_m, depth.low, depth.high));
+  const double bottom = depth(std::clamp(window.to_m, depth.low, depth.high));
+  const double x = box.right();
+  svg.rectangle({x + 1.5, top, 3.0, std::max(bottom - top, 1.2)}, palette::ink);
+}
+
+DepthPlot whole_profile(const results::Snapshot& campaign, const std::vector<results::CurveRow>& curves,
+                        const Box& box) {
+  double deepest = 0.0;
+  double least = 0.0;
+  double largest = 0.0;
+  for (const results::CurveRow& curve : curves) {
+    for (const double z : curve.profile.depth) deepest = std::max(deepest, z);
+    const bool whole =
+        std::any_of(campaign.realizations.begin(), campaign.realizations.end(),
+                    [&](const auto& run) { return run.id == curve.realization && run.completed(); });
+    if (!whole && curves.size() > 1) continue;  // a run that blew up must not set the scale
+    for (const double q : curve.profile.q_c) {
+      if (!std::isfinite(q)) continue;
+      least = std::min(least, q / kPa);
+      largest = std::max(largest, q / kPa);
+    }
+  }
+  const Range q = widened(least, largest, 0.04);
+  return {box,
+          {least < 0.0 ? q.low : 0.0, q.high, box.x, box.right()},
+          {0.0, deepest > 0.0 ? deepest : 1.0, box.y, box.bottom()}};
+}
+
+void Legend::entry(const Rich& text) {
+  const double room = width_ - glyph_width - 5.0;
+  const bool fits = width(text, text_size) <= room;
+  std::string whole;
+  for (const Span& span : text) whole += span.text;
+  svg_.text({x_ + glyph_width + 5.0, y_ + 0.36 * text_size},
+            fits ? text : plain(shortened(whole, room, text_size)), {.size = text_size});
+  y_ += entry_pitch;
+}
+
+void Legend::line(const Rich& text, const Pen& pen) {
+  svg_.line({x_, y_}, {x_ + glyph_width, y_}, pen);
+  entry(text);
+}
+
+void Legend::patch(const Rich& text, std::string_view fill) {
+  svg_.rectangle({x_, y_ - 4.0, glyph_width, 8.0}, fill);
+  entry(text);
+}
+
+void Legend::mark(const Rich& text) {
+  svg_.rectangle({x_ + 0.5 * glyph_width - 1.5, y_ - 4.0, 3.0, 8.0}, palette::ink);
+  entry(text);
+}
+
+}  // namespace cpt::reports

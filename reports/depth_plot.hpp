@@ -1,0 +1,46 @@
+// A plot of q_c over depth: depth downward, q_c along the top.
+#pragma once
+
+#include <vector>
+
+#include "reports/axis.hpp"
+#include "reports/svg.hpp"
+#include "results/snapshot.hpp"
+
+namespace cpt::reports {
+
+struct DepthPlot {
+  Box box;
+  Axis q_c;    ///< kPa
+  Axis depth;  ///< m
+
+  /// Clay layers, then grid, tick labels and titles.
+  void draw_ground(Svg& svg, const std::vector<results::LayerRow>& layers, int ticks_across = 5,
+                   int ticks_down = 8) const;
+  void draw_curve(Svg& svg, const solver::DepthProfile& profile, const Pen& pen) const;
+  void draw_frame(Svg& svg) const;
+  /// A bracket at the right edge where a window lies.
+  void draw_window_mark(Svg& svg, const results::WindowRow& window) const;
+  [[nodiscard]] bool shows_clay(const std::vector<results::LayerRow>& layers) const;
+};
+
+/// Axes that hold all given curves from the soil's top, q_c from zero.
+[[nodiscard]] DepthPlot whole_profile(const results::Snapshot& campaign,
+                                      const std::vector<results::CurveRow>& curves, const Box& box);
+
+/// A column of entries, downward from a corner.
+class Legend {
+ public:
+  Legend(Svg& svg, double x, double y, double width) : svg_(svg), x_(x), y_(y), width_(width) {}
+  void line(const Rich& text, const Pen& pen);
+  void patch(const Rich& text, std::string_view fill);
+  void mark(const Rich& text);  ///< the bracket of draw_window_mark
+  void gap() { y_ += 6.0; }
+
+ private:
+  void entry(const Rich& text);
+  Svg& svg_;
+  double x_, y_, width_;
+};
+
+}  // namespace cpt::reports

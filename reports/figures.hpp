@@ -1,0 +1,27 @@
+// The figures of a report, each a complete SVG document; nullopt where its results are not there yet.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "results/snapshot.hpp"
+
+namespace cpt::reports {
+
+/// Range of the average q_c in a window between each parameter's bounds, widest first, with the bounds'
+/// values at the ends (Yost et al. 2023, Fig. 11).
+[[nodiscard]] std::optional<std::string> tornado_figure(const results::Snapshot& campaign,
+                                                        const results::WindowRow& window);
+
+/// |SI| of every parameter in a window, largest first, against SI_noise (Fig. 12). Negative ones are marked,
+/// undefined ones listed with their reason.
+[[nodiscard]] std::optional<std::string> sensitivity_figure(const results::Snapshot& campaign,
+                                                            const results::WindowRow& window);
+
+/// q_c over depth of all realizations, the baseline and those furthest from it told apart (Fig. 10).
+[[nodiscard]] std::optional<std::string> profiles_figure(const results::Snapshot& campaign);
+
+/// q_c over depth of the baseline with its windows enlarged (Fig. 9).
+[[nodiscard]] std::optional<std::string> baseline_figure(const results::Snapshot& campaign);
+
+}  // namespace cpt::reports

@@ -1,0 +1,115 @@
+#include "reports/labels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/palette.hpp"
+
+namespace cpt::reports {
+
+using results::ParameterRow;
+using results::RealizationRow;
+using results::Snapshot;
+
+const ParameterRow& parameter_of(const Snapshot& campaign, std::string_view name) {
+  return *std::find_if(campaign.parameters.begin(), campaign.parameters.end(),
+                       [&](const ParameterRow& p) { return p.name == name; });
+}
+
+const RealizationRow* baseline_run(const Snapshot& campaign) {
+  const auto found = std::find_if(campaign.realizations.begin(), campaign.realizations.end(),
+                                  [](const RealizationRow& r) { return r.side == "baseline"; });
+  return found == campaign.realizations.end() ? nullptr : &*found;
+}
+
+const solver::DepthProfile* curve_of(const Snapshot& campaign, int realization) {
+  const auto found = std::find_if(campaign.curves.begin(), campaign.curves.end(),
+                                  [&](const results::CurveRow& c) { return c.realization == realization; });
+  return found == campaign.curves.end() ? nullptr : &found->profile;
+}
+
+const RealizationRow* bound_run(const Snapshot& campaign, std::string_view parameter, std::string_view side) {
+  const auto found =
+      std::find_if(campaign.realizations.begin(), campaign.realizations.end(),
+                   [&](const RealizationRow& r) { return r.parameter == parameter && r.side == side; });
+  return found == campaign.realizations.end() ? nullptr : &*found;
+}
+
+std::vector<results::SensitivityRow> sensitivity_in(const Snapshot& campaign, std::string_view window) {
+  std::vector<results::SensitivityRow> rows;
+  std::copy_if(campaign.sensitivity.begin(), campaign.sensitivity.end(), std::back_inserter(rows),
+               [&](const results::SensitivityRow& row) { return row.window == window; });
+  return rows;
+}
+
+Rich symbol_of(const Snapshot& campaign, const ParameterRow& parameter) {
+  const auto same = std::count_if(campaign.parameters.begin(), campaign.parameters.end(),
+                                  [&](const ParameterRow& p) { return p.symbol == parameter.symbol; });
+  Rich symbol = symbolic(parameter.symbol);
+  if (same < 2) return symbol;
+  return std::move(symbol) + plain(fmt::format(" ({})", parameter.name.substr(0, parameter.name.find('.'))));
+}
+
+Rich unit_of(const ParameterRow& parameter) {
+  if (parameter.unit.empty() || parameter.unit == "-") return {};
+  return plain(fmt::format(" ({})", parameter.unit));
+}
+
+Rich run_label(const Snapshot& campaign, const RealizationRow& run) {
+  if (run.parameter.empty()) return plain("baseline");
+  const ParameterRow& parameter = parameter_of(campaign, run.parameter);
+  const bool bare = parameter.unit.empty() || parameter.unit == "-";
+  return symbol_of(campaign, parameter) +
+         plain(fmt::format(" = {}{}{}", run.value_text, bare ? "" : " ", bare ? "" : parameter.unit));
+}
+
+std::string shortened(std::string_view text, double room, double font_size, bool bold) {
+  std::string whole(text);
+  if (width(plain(whole), font_size, bold) <= room) return whole;
+  while (!whole.empty()) {
+    // Drop one character: its continuation bytes, then its first byte.
+    while (!whole.empty() && (static_cast<unsigned char>(whole.back()) & 0xC0) == 0x80) whole.pop_back();
+    if (!whole.empty()) whole.pop_back();
+    if (width(plain(whole + "…"), font_size, bold) <= room) break;
+  }
+  return whole + "…";
+}
+
+std::string depth_range(double from_m, double to_m) { return fmt::format("{:.4f}–{:.4f} m", from_m, to_m); }
+
+bool all_completed(const Snapshot& campaign) {
+  return std::all_of(campaign.realizations.begin(), campaign.realizations.end(),
+                     [](const RealizationRow& r) { return r.completed(); });
+}
+
+std::string state_of(const Snapshot& campaign) {
+  const auto count = [&](auto has) {
+    return std::count_if(campaign.realizations.begin(), campaign.realizations.end(), has);
+  };
+  std::string text =
+      fmt::format("{} of {} realizations completed",
+                  count([](const RealizationRow& r) { return r.completed(); }), campaign.realizations.size());
+  if (const auto failed = count([](const RealizationRow& r) { return r.failed(); }); failed > 0)
+    text += fmt::format(", {} failed", failed);
+  if (const auto waiting = count([](const RealizationRow& r) { return r.waiting(); }); waiting > 0)
+    text += fmt::format(", {} still to run", waiting);
+  return text;
+}
+
+double draw_heading(Svg& svg, const Snapshot& campaign, std::string_view title,
+                    const std::vector<Rich>& lines) {
+  constexpr double left = 8.0;
+  constexpr double title_size = 10.0;
+  constexpr double line_size = 8.0;
+  double y = 17.0;
+  svg.text({left, y}, plain(shortened(title, svg.width() - 2.0 * left, title_size, true)),
+           {.size = title_size, .bold = true});
+  for (const Rich& line : lines)
+    svg.text({left, y += 12.5}, line, {.size = line_size, .color = palette::muted});
+  if (!all_completed(campaign))
+    svg.text({left, y += 12.5}, plain(state_of(campaign)), {.size = line_size, .color = palette::vermillion});
+  return y + 6.0;
+}
+
+}  // namespace cpt::reports

@@ -1,0 +1,43 @@
+// How parameters, realizations, windows and the state of a campaign are named in figures and on the page.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/svg.hpp"
+#include "results/snapshot.hpp"
+
+namespace cpt::reports {
+
+[[nodiscard]] const results::ParameterRow& parameter_of(const results::Snapshot& campaign,
+                                                        std::string_view name);
+[[nodiscard]] const results::RealizationRow* baseline_run(const results::Snapshot& campaign);
+[[nodiscard]] const solver::DepthProfile* curve_of(const results::Snapshot& campaign, int realization);
+/// The realization at a bound; nullptr where the bound equals the baseline.
+[[nodiscard]] const results::RealizationRow* bound_run(const results::Snapshot& campaign,
+                                                       std::string_view parameter, std::string_view side);
+[[nodiscard]] std::vector<results::SensitivityRow> sensitivity_in(const results::Snapshot& campaign,
+                                                                  std::string_view window);
+
+/// Symbol of a parameter, with its group in brackets where two rows of the study share a symbol.
+[[nodiscard]] Rich symbol_of(const results::Snapshot& campaign, const results::ParameterRow& parameter);
+/// " (kPa)"; nothing for numbers without unit.
+[[nodiscard]] Rich unit_of(const results::ParameterRow& parameter);
+/// "baseline", "H = 75", "σ'h0 = 35 kPa", "wall = flexible".
+[[nodiscard]] Rich run_label(const results::Snapshot& campaign, const results::RealizationRow& run);
+/// A longer text cut with "…" so that it fits a width.
+[[nodiscard]] std::string shortened(std::string_view text, double room, double font_size, bool bold = false);
+/// "0.5054–0.5255 m".
+[[nodiscard]] std::string depth_range(double from_m, double to_m);
+
+/// "21 of 21 realizations completed", with the failed and waiting ones where there are any.
+[[nodiscard]] std::string state_of(const results::Snapshot& campaign);
+[[nodiscard]] bool all_completed(const results::Snapshot& campaign);
+
+/// Bold title and grey lines in the upper left corner; returns the y below them. Says the campaign's state
+/// where it is not complete.
+double draw_heading(Svg& svg, const results::Snapshot& campaign, std::string_view title,
+                    const std::vector<Rich>& lines);
+
+}  // namespace cpt::reports

@@ -1,0 +1,109 @@
+#include "reports/numbers.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+namespace cpt::reports {
+namespace {
+
+using results::Cell;
+using results::Snapshot;
+using results::Table;
+
+Cell number_or_empty(double value) { return std::isfinite(value) ? Cell(value) : Cell(std::monostate{}); }
+Cell whole(std::int64_t value) { return Cell(value); }
+Cell flag(std::optional<bool> value) {
+  Cell cell;
+  if (value) cell = static_cast<std::int64_t>(*value);
+  return cell;
+}
+
+template <class... Cells>
+void add_row(Table& table, const Cells&... cells) {
+  std::vector<Cell>& row = table.rows.emplace_back();
+  row.reserve(sizeof...(cells));
+  (row.emplace_back(cells), ...);
+}
+
+Table campaign_table(const Snapshot& s) {
+  const results::CampaignRow& c = s.campaign;
+  return {{"name", "title", "profile", "preset", "program_version", "solver_version", "created", "study_text",
+           "baseline_setup"},
+          {{c.name, c.title, c.profile, c.preset, c.program_version, c.solver_version, c.created,
+            c.study_text, c.baseline_setup}}};
+}
+
+Table parameter_table(const Snapshot& s) {
+  Table table{{"name", "symbol", "unit", "meaning", "baseline", "lower", "upper"}, {}};
+  for (const auto& p : s.parameters)
+    add_row(table, p.name, p.symbol, p.unit, p.meaning, p.baseline_text, p.lower_text, p.upper_text);
+  return table;
+}
+
+Table window_table(const Snapshot& s) {
+  Table table{{"window", "kind", "from_m", "to_m", "problem"}, {}};
+  for (const auto& w : s.windows)
+    add_row(table, w.name, w.kind, number_or_empty(w.from_m), number_or_empty(w.to_m), w.problem);
+  return table;
+}
+
+}  // namespace
+
+Table sensitivity_table(const Snapshot& s) {
+  Table table{{"window", "parameter", "q_lower_kPa", "q_upper_kPa", "q_baseline_kPa", "si", "si_abs",
+               "si_noise", "above_noise", "note"},
+              {}};
+  for (const auto& r : s.sensitivity)
+    add_row(table, r.window, r.parameter, number_or_empty(r.q_lower_kPa), number_or_empty(r.q_upper_kPa),
+            number_or_empty(r.q_baseline_kPa), number_or_empty(r.si), number_or_empty(r.si_abs),
+            number_or_empty(r.si_noise), flag(r.above_noise), r.note);
+  return table;
+}
+
+Table realization_table(const Snapshot& s) {
+  Table table{{"id", "parameter", "side", "value", "status", "reason", "wall_s", "steps", "material_points",
+               "mass_error", "momentum_error", "energy_error", "kinetic_fraction", "max_empty_cells",
+               "settings_hash", "solver_version"},
+              {}};
+  for (const auto& r : s.realizations)
+    add_row(table, whole(r.id), r.parameter, r.side, r.value_text, r.status, r.reason,
+            number_or_empty(r.wall_s), whole(r.steps), whole(r.material_points),
+            number_or_empty(r.audit.mass_error), number_or_empty(r.audit.momentum_error),
+            number_or_empty(r.audit.energy_error), number_or_empty(r.audit.kinetic_fraction),
+            whole(r.audit.max_empty_cells), r.settings_hash, r.solver_version);
+  return table;
+}
+
+Table window_mean_table(const Snapshot& s) {
+  Table table{{"realization", "window", "from_m", "to_m", "q_c_mean_kPa", "q_c_min_kPa", "q_c_max_kPa"}, {}};
+  for (const auto& m : s.window_means)
+    table.rows.push_back(
+        {whole(m.realization), m.window, m.from_m, m.to_m, m.q_c_mean_kPa, m.q_c_min_kPa, m.q_c_max_kPa});
+  return table;
+}
+
+Table curve_table(const Snapshot& s) {
+  Table table{{"realization", "depth_m", "q_c_kPa", "f_s_kPa"}, {}};
+  for (const auto& curve : s.curves)
+    for (std::size_t i = 0; i < curve.profile.depth.size(); ++i)
+      add_row(table, whole(curve.realization), number_or_empty(curve.profile.depth[i]),
+              number_or_empty(curve.profile.q_c[i] / 1.0e3), number_or_empty(curve.profile.f_s[i] / 1.0e3));
+  return table;
+}
+
+std::string report_json(const Snapshot& s) {
+  const auto rows = [](const Table& table) {
+    return nlohmann::ordered_json::parse(results::format(table, results::Format::json));
+  };
+  nlohmann::ordered_json all;
+  all["campaign"] = rows(campaign_table(s)).at(0);
+  all["parameters"] = rows(parameter_table(s));
+  all["windows"] = rows(window_table(s));
+  all["realizations"] = rows(realization_table(s));
+  all["window_means"] = rows(window_mean_table(s));
+  all["sensitivity"] = rows(sensitivity_table(s));
+  return all.dump(2) + "\n";
+}
+
+}  // namespace cpt::reports

@@ -1,0 +1,20 @@
+// The numbers behind a report as tables, and all of them as one JSON document.
+#pragma once
+
+#include <string>
+
+#include "results/snapshot.hpp"
+#include "results/table_format.hpp"
+
+namespace cpt::reports {
+
+[[nodiscard]] results::Table sensitivity_table(const results::Snapshot& campaign);
+[[nodiscard]] results::Table realization_table(const results::Snapshot& campaign);
+[[nodiscard]] results::Table window_mean_table(const results::Snapshot& campaign);
+/// One line a depth bin: realization, depth_m, q_c_kPa, f_s_kPa.
+[[nodiscard]] results::Table curve_table(const results::Snapshot& campaign);
+
+/// campaign, parameters, windows, realizations, window_means and sensitivity; curves are in curves.csv.
+[[nodiscard]] std::string report_json(const results::Snapshot& campaign);
+
+}  // namespace cpt::reports

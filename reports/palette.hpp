@@ -1,0 +1,26 @@
+// Colours that stay apart for colour-blind readers: Okabe & Ito (2008), "Color Universal Design".
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace cpt::reports::palette {
+
+inline constexpr std::string_view ink = "#222222";
+inline constexpr std::string_view muted = "#666666";
+inline constexpr std::string_view faint = "#b5b5b5";
+inline constexpr std::string_view grid = "#e4e4e4";
+inline constexpr std::string_view band = "#d9d9d9";
+inline constexpr std::string_view clay = "#efe4d0";
+
+inline constexpr std::string_view blue = "#0072b2";
+inline constexpr std::string_view vermillion = "#d55e00";
+inline constexpr std::string_view green = "#009e73";
+inline constexpr std::string_view purple = "#cc79a7";
+inline constexpr std::string_view sky = "#56b4e9";
+inline constexpr std::string_view orange = "#e69f00";
+
+/// In the order in which curves are told apart.
+inline constexpr std::array<std::string_view, 6> series = {vermillion, blue, green, purple, orange, sky};
+
+}  // namespace cpt::reports::palette

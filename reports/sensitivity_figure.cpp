@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/axis.hpp"
+#include "reports/figures.hpp"
+#include "reports/labels.hpp"
+#include "reports/palette.hpp"
+
+namespace cpt::reports {
+namespace {
+
+using results::SensitivityRow;
+using results::Snapshot;
+
+constexpr double figure_width = 400.0;
+constexpr double row_pitch = 15.5;
+constexpr double bar_height = 9.5;
+constexpr double value_size = 7.0;
+constexpr double label_size = 8.5;
+constexpr double value_room = 44.0;
+
+std::vector<SensitivityRow> sorted_rows(const Snapshot& campaign, const std::string& window) {
+  std::vector<SensitivityRow> rows = sensitivity_in(campaign, window);
+  const auto rank = [](const SensitivityRow& row) { return std::isfinite(row.si_abs) ? row.si_abs : -1.0; };
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](const SensitivityRow& a, const SensitivityRow& b) { return rank(a) > rank(b); });
+  return rows;
+}
+
+void draw_row(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
+  const double base = y + 0.36 * value_size;
+  if (!std::isfinite(row.si)) {
+    const double room = axis.to - axis.from - 8.0;
+    svg.text({axis.from + 4.0, base}, plain(shortened("× " + row.note, room, value_size)),
+             {.size = value_size, .color = palette::vermillion, .halo = true});
+    return;
+  }
+  const double end = axis(row.si_abs);
+  const bool quiet = row.above_noise.has_value() && !*row.above_noise;
+  svg.rectangle({axis.from, y - 0.5 * bar_height, end - axis.from, bar_height},
+                row.si < 0.0 ? palette::orange : palette::blue, quiet ? 0.4 : 1.0);
+  svg.text({end + 3.0, base}, plain(decimals(row.si, 3)), {.size = value_size, .halo = true});
+}
+
+}  // namespace
+
+std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const results::WindowRow& window) {
+  const std::vector<SensitivityRow> rows = sorted_rows(campaign, window.name);
+  if (rows.empty() || !std::isfinite(rows.front().si)) return std::nullopt;
+  const double noise = rows.front().si_noise;
+
+  std::vector<Rich> labels;
+  double label_width = 0.0;
+  for (const SensitivityRow& row : rows) {
+    labels.push_back(symbol_of(campaign, parameter_of(campaign, row.parameter)));
+    label_width = std::max(label_width, width(labels.back(), label_size));
+  }
+  const double lines = all_completed(campaign) ? 1.0 : 2.0;
+  const double plot_height = row_pitch * static_cast<double>(rows.size()) + 4.0;
+  Svg svg(figure_width, 23.0 + 12.5 * lines + 4.0 + plot_height + 62.0, "sensitivity");
+  const double top = draw_heading(svg, campaign, fmt::format("{}: {}", campaign.campaign.title, window.name),
+                                  {symbolic("SI = (q_upper − q_lower) / q_upper") +
+                                   plain(fmt::format(" over {}", depth_range(window.from_m, window.to_m)))});
+  const double left = 14.0 + label_width + 8.0;
+  const Box plot{left, top + 4.0, figure_width - 14.0 - left, plot_height};
+  const double largest = std::max(rows.front().si_abs, std::isfinite(noise) ? noise : 0.0);
+  const double high = largest > 0.0 ? largest * plot.width / (plot.width - value_room) : 1.0;
+  const Axis axis{0.0, high, plot.x, plot.right()};
+
+  draw_horizontal(svg, plot, axis, Edge::bottom, plain("sensitivity index |SI|"), 6);
+  double y = plot.y + 2.0 + 0.5 * row_pitch;
+  for (std::size_t i = 0; i < rows.size(); ++i, y += row_pitch) {
+    svg.text({plot.x - 8.0, y + 0.34 * label_size}, labels[i], {.size = label_size, .anchor = Anchor::end});
+    draw_row(svg, axis, rows[i], y);
+  }
+  if (std::isfinite(noise))
+    svg.line({axis(noise), plot.y}, {axis(noise), plot.bottom()}, {palette::ink, 1.0, "4 2.5"});
+  svg.line({plot.x, plot.y}, {plot.x, plot.bottom()}, {palette::ink, 0.6, {}});
+  svg.line({plot.x, plot.bottom()}, {plot.right(), plot.bottom()}, {palette::ink, 0.6, {}});
+
+  double x = plot.x;
+  const double legend = plot.bottom() + 46.0;
+  const TextStyle style{.size = 7.5};
+  const auto entry = [&](const Rich& text, double glyph_width) {
+    svg.text({x + glyph_width + 3.0, legend + 2.7}, text, style);
+    x += glyph_width + 3.0 + width(text, style.size) + 12.0;
+  };
+  svg.rectangle({x, legend - 3.5, 9.0, 7.0}, palette::blue);
+  entry(plain("positive"), 9.0);
+  svg.rectangle({x, legend - 3.5, 9.0, 7.0}, palette::orange);
+  entry(plain("negative"), 9.0);
+  svg.rectangle({x, legend - 3.5, 9.0, 7.0}, palette::blue, 0.4);
+  svg.rectangle({x + 9.0, legend - 3.5, 9.0, 7.0}, palette::orange, 0.4);
+  entry(plain("below noise"), 18.0);
+  if (std::isfinite(noise)) {
+    svg.line({x, legend}, {x + 16.0, legend}, {palette::ink, 1.0, "4 2.5"});
+    entry(symbolic("SI_noise") + plain(" = " + decimals(noise, 4)), 16.0);
+  }
+  return svg.document(fmt::format("Sensitivity index: {}, {}", campaign.campaign.title, window.name));
+}
+
+}  // namespace cpt::reports

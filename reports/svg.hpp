@@ -1,0 +1,67 @@
+// A small writer of SVG figures. Lengths are typographic points (1/72 inch) from the upper left corner.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "reports/text.hpp"
+
+namespace cpt::reports {
+
+struct Point {
+  double x, y;
+};
+struct Box {
+  double x, y, width, height;
+  [[nodiscard]] double right() const { return x + width; }
+  [[nodiscard]] double bottom() const { return y + height; }
+};
+
+struct Pen {
+  std::string_view color = "#000000";
+  double width = 0.6;
+  std::string_view dash = {};  ///< e.g. "3 2"; solid if empty
+};
+
+enum class Anchor { start, middle, end };
+
+struct TextStyle {
+  double size = 8.0;
+  Anchor anchor = Anchor::start;
+  std::string_view color = "#222222";
+  bool bold = false;
+  bool halo = false;    ///< white outline, so that lines behind do not disturb
+  bool upward = false;  ///< turned by 90 degrees, read from bottom to top
+};
+
+class Svg {
+ public:
+  /// `id` makes the ids inside the figure unique on a page with several; letters, digits and '_' only.
+  Svg(double width, double height, std::string id);
+
+  void line(Point from, Point to, const Pen& pen);
+  void rectangle(const Box& box, std::string_view fill, double opacity = 1.0);
+  void frame(const Box& box, const Pen& pen);
+  void circle(Point centre, double radius, std::string_view fill, const Pen& outline);
+  /// Points that are not finite break the line.
+  void polyline(std::span<const Point> points, const Pen& pen);
+  /// `at` is on the base line.
+  void text(Point at, const Rich& text, const TextStyle& style = {});
+
+  /// What is drawn until end_clip() shows inside the box only.
+  void begin_clip(const Box& box);
+  void end_clip();
+
+  /// The complete SVG document, white behind.
+  [[nodiscard]] std::string document(std::string_view title) const;
+  [[nodiscard]] double width() const { return width_; }
+
+ private:
+  double width_, height_;
+  std::string id_;
+  std::string body_;
+  int clips_ = 0;
+};
+
+}  // namespace cpt::reports

@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/axis.hpp"
+#include "reports/figures.hpp"
+#include "reports/labels.hpp"
+#include "reports/palette.hpp"
+
+namespace cpt::reports {
+namespace {
+
+using results::SensitivityRow;
+using results::Snapshot;
+
+constexpr double figure_width = 400.0;
+constexpr double row_pitch = 15.5;
+constexpr double bar_height = 9.5;
+constexpr double value_size = 7.0;
+constexpr double value_gap = 3.0;
+constexpr double label_size = 8.5;
+
+struct Bar {
+  SensitivityRow row;
+  Rich label;
+  std::string lower_text, upper_text;
+  std::string missing;  // what to say instead of the bound that has no result
+};
+
+std::string absent(const Snapshot& campaign, const SensitivityRow& row, std::string_view side, double q,
+                   const std::string& value_text) {
+  const results::RealizationRow* run = bound_run(campaign, row.parameter, side);
+  if (std::isfinite(q) || run == nullptr) return "";
+  return fmt::format("{}: {}", value_text,
+                     run->waiting()     ? "not run yet"
+                     : run->completed() ? "no value"
+                                        : run->status);
+}
+
+std::vector<Bar> make_bars(const Snapshot& campaign, const std::string& window) {
+  std::vector<Bar> bars;
+  for (const SensitivityRow& row : sensitivity_in(campaign, window)) {
+    const results::ParameterRow& p = parameter_of(campaign, row.parameter);
+    const std::string low = absent(campaign, row, "lower", row.q_lower_kPa, p.lower_text);
+    const std::string high = absent(campaign, row, "upper", row.q_upper_kPa, p.upper_text);
+    bars.push_back({row, symbol_of(campaign, p) + unit_of(p), p.lower_text, p.upper_text,
+                    low.empty() || high.empty() ? low + high : low + ", " + high});
+  }
+  const auto swing = [](const Bar& bar) {
+    const double q = std::abs(bar.row.q_upper_kPa - bar.row.q_lower_kPa);
+    return std::isfinite(q) ? q : -1.0;
+  };
+  std::stable_sort(bars.begin(), bars.end(), [&](const Bar& a, const Bar& b) { return swing(a) > swing(b); });
+  return bars;
+}
+
+/// q range of all bars, and the room that the texts at their ends want on either side.
+Axis make_axis(const std::vector<Bar>& bars, double q_baseline, double from, double to) {
+  double low = q_baseline;
+  double high = q_baseline;
+  double room = 0.0;
+  for (const Bar& bar : bars) {
+    for (const double q : {bar.row.q_lower_kPa, bar.row.q_upper_kPa}) {
+      if (!std::isfinite(q)) continue;
+      low = std::min(low, q);
+      high = std::max(high, q);
+    }
+    room =
+        std::max({room, width(plain(bar.lower_text), value_size), width(plain(bar.upper_text), value_size)});
+  }
+  const Range range = widened(low, high, 0.0);
+  room = std::min(room + 2.0 * value_gap + 2.0, 0.3 * (to - from));
+  const double per_point = (range.high - range.low) / (to - from - 2.0 * room);
+  return {range.low - room * per_point, range.high + room * per_point, from, to};
+}
+
+void draw_bar(Svg& svg, const Axis& axis, const Bar& bar, double y, double q_baseline) {
+  const double x0 = axis(q_baseline);
+  const auto at = [&](double q) { return std::isfinite(q) ? axis(q) : x0; };
+  const double lower = at(bar.row.q_lower_kPa);
+  const double upper = at(bar.row.q_upper_kPa);
+  const double left = std::min(lower, upper);
+  const double right = std::max(lower, upper);
+  // Each half has its bound's colour; they meet at the baseline, or halfway where the baseline lies outside.
+  const double meet = x0 >= left && x0 <= right ? x0 : 0.5 * (left + right);
+  const auto part = [&](double end, std::string_view color) {
+    svg.rectangle({std::min(end, meet), y - 0.5 * bar_height, std::abs(end - meet), bar_height}, color);
+  };
+  part(lower, palette::blue);
+  part(upper, palette::vermillion);
+  if (meet != x0) {
+    const double near = x0 < left ? left : right;
+    svg.line({x0, y}, {near, y}, {palette::ink, 0.5, "1.5 1.5"});
+  }
+  const double base = y + 0.36 * value_size;
+  const bool rising = upper >= lower;
+  const bool has_lower = std::isfinite(bar.row.q_lower_kPa);
+  const bool has_upper = std::isfinite(bar.row.q_upper_kPa);
+  double clear_right = right + value_gap;
+  const auto put = [&](bool present, const std::string& text, bool on_left) {
+    if (!present) return;
+    svg.text({on_left ? left - value_gap : right + value_gap, base}, plain(text),
+             {.size = value_size, .anchor = on_left ? Anchor::end : Anchor::start, .halo = true});
+    if (!on_left) clear_right += width(plain(text), value_size) + 2.0 * value_gap;
+  };
+  put(has_lower, bar.lower_text, rising);
+  put(has_upper, bar.upper_text, !rising);
+  if (bar.missing.empty()) return;
+  const Rich note = plain("× " + bar.missing);
+  const bool fits = clear_right + width(note, value_size) < axis.to;
+  const double clear_left = left - value_gap - (has_lower || has_upper ? 26.0 : 0.0);
+  svg.text({fits ? clear_right : clear_left, base}, note,
+           {.size = value_size,
+            .anchor = fits ? Anchor::start : Anchor::end,
+            .color = palette::vermillion,
+            .halo = true});
+}
+
+void draw_legend(Svg& svg, double x, double y) {
+  const TextStyle style{.size = 7.5};
+  const auto entry = [&](const Rich& text, double glyph_width) {
+    svg.text({x + glyph_width + 3.0, y + 2.7}, text, style);
+    x += glyph_width + 3.0 + width(text, style.size) + 14.0;
+  };
+  svg.rectangle({x, y - 3.5, 9.0, 7.0}, palette::blue);
+  entry(plain("towards the lower bound"), 9.0);
+  svg.rectangle({x, y - 3.5, 9.0, 7.0}, palette::vermillion);
+  entry(plain("towards the upper bound"), 9.0);
+  svg.line({x + 3.0, y - 4.5}, {x + 3.0, y + 4.5}, {palette::ink, 1.0, {}});
+  entry(plain("baseline"), 6.0);
+  svg.rectangle({x, y - 3.5, 9.0, 7.0}, palette::band);
+  entry(plain("its noise"), 9.0);
+}
+
+}  // namespace
+
+std::optional<std::string> tornado_figure(const Snapshot& campaign, const results::WindowRow& window) {
+  const std::vector<Bar> bars = make_bars(campaign, window.name);
+  const results::RealizationRow* baseline = baseline_run(campaign);
+  const auto base =
+      std::find_if(campaign.window_means.begin(), campaign.window_means.end(), [&](const auto& m) {
+        return baseline != nullptr && m.realization == baseline->id && m.window == window.name;
+      });
+  if (bars.empty() || base == campaign.window_means.end()) return std::nullopt;
+
+  double label_width = 0.0;
+  for (const Bar& bar : bars) label_width = std::max(label_width, width(bar.label, label_size));
+  const double lines = all_completed(campaign) ? 1.0 : 2.0;
+  const double height = 23.0 + 12.5 * lines + 8.0 + row_pitch * static_cast<double>(bars.size()) + 62.0;
+  Svg svg(figure_width, height, "tornado");
+  const double top =
+      draw_heading(svg, campaign, fmt::format("{}: {}", campaign.campaign.title, window.name),
+                   {symbolic("average q_c ") +
+                    plain(fmt::format("over {}; baseline {} kPa", depth_range(window.from_m, window.to_m),
+                                      number(base->q_c_mean_kPa, 4)))});
+  const Box plot{14.0 + label_width + 8.0, top + 4.0, 0.0,
+                 row_pitch * static_cast<double>(bars.size()) + 4.0};
+  const Box area{plot.x, plot.y, figure_width - 14.0 - plot.x, plot.height};
+  const Axis axis = make_axis(bars, base->q_c_mean_kPa, area.x, area.right());
+
+  draw_horizontal(svg, area, axis, Edge::bottom, symbolic("average q_c (kPa)"), 6);
+  svg.rectangle(
+      {axis(base->q_c_min_kPa), area.y, axis(base->q_c_max_kPa) - axis(base->q_c_min_kPa), area.height},
+      palette::band, 0.8);
+  const double x0 = axis(base->q_c_mean_kPa);
+  svg.line({x0, area.y}, {x0, area.bottom()}, {palette::ink, 1.0, {}});
+  double y = area.y + 2.0 + 0.5 * row_pitch;
+  for (const Bar& bar : bars) {
+    svg.text({area.x - 8.0, y + 0.34 * label_size}, bar.label, {.size = label_size, .anchor = Anchor::end});
+    draw_bar(svg, axis, bar, y, base->q_c_mean_kPa);
+    y += row_pitch;
+  }
+  svg.line({area.x, area.bottom()}, {area.right(), area.bottom()}, {palette::ink, 0.6, {}});
+  draw_legend(svg, area.x, area.bottom() + 46.0);
+  return svg.document(fmt::format("Tornado: {}, {}", campaign.campaign.title, window.name));
+}
+
+}  // namespace cpt::reports

@@ -1,0 +1,217 @@
+#include "results/database.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+namespace cpt::results {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "curves are stored as little-endian doubles");
+
+constexpr int busy_timeout_ms = 10'000;
+
+[[noreturn]] void fail(const std::string& file, sqlite3* connection, int code) {
+  const std::string detail = connection != nullptr ? sqlite3_errmsg(connection) : sqlite3_errstr(code);
+  switch (code & 0xff) {
+    case SQLITE_NOTADB:
+      throw Error(fmt::format("{}: not an SQLite database ({})", file, detail));
+    case SQLITE_CORRUPT:
+      throw Error(fmt::format("{}: the database is damaged ({}); move it away and run again", file, detail));
+    case SQLITE_CANTOPEN:
+      throw Error(fmt::format("{}: cannot be opened ({})", file, detail));
+    case SQLITE_FULL:
+      throw Error(fmt::format("{}: the disk is full ({})", file, detail));
+    case SQLITE_BUSY:
+      throw Error(fmt::format("{}: another program keeps the database busy ({})", file, detail));
+    default:
+      throw Error(fmt::format("{}: {}", file, detail));
+  }
+}
+
+}  // namespace
+
+Statement::Statement(sqlite3* connection, std::string_view sql, const std::string& file)
+    : connection_(connection), file_(file) {
+  const char* tail = nullptr;
+  check(sqlite3_prepare_v2(connection_, sql.data(), static_cast<int>(sql.size()), &statement_, &tail));
+  if (statement_ == nullptr) throw Error(file_ + ": empty SQL statement");
+  const std::string_view rest = sql.substr(static_cast<std::size_t>(tail - sql.data()));
+  if (rest.find_first_not_of(" \t\r\n;") != std::string_view::npos) {
+    sqlite3_finalize(statement_);
+    throw Error(file_ + ": more than one SQL statement");
+  }
+}
+
+Statement::~Statement() { sqlite3_finalize(statement_); }
+
+Statement::Statement(Statement&& other) noexcept
+    : connection_(other.connection_),
+      statement_(std::exchange(other.statement_, nullptr)),
+      file_(std::move(other.file_)),
+      next_parameter_(other.next_parameter_) {}
+
+void Statement::check(int code) const {
+  if (code != SQLITE_OK) fail(file_, connection_, code);
+}
+
+Statement& Statement::bind(std::int64_t value) {
+  check(sqlite3_bind_int64(statement_, next_parameter_++, value));
+  return *this;
+}
+
+Statement& Statement::bind(double value) {
+  const int i = next_parameter_++;
+  check(std::isfinite(value) ? sqlite3_bind_double(statement_, i, value) : sqlite3_bind_null(statement_, i));
+  return *this;
+}
+
+Statement& Statement::bind(std::string_view value) {
+  check(sqlite3_bind_text(statement_, next_parameter_++, value.empty() ? "" : value.data(),
+                          static_cast<int>(value.size()), SQLITE_TRANSIENT));
+  return *this;
+}
+
+Statement& Statement::bind_or_null(std::string_view value) {
+  if (!value.empty()) return bind(value);
+  check(sqlite3_bind_null(statement_, next_parameter_++));
+  return *this;
+}
+
+Statement& Statement::bind(const std::vector<double>& values) {
+  const int i = next_parameter_++;
+  check(values.empty() ? sqlite3_bind_zeroblob(statement_, i, 0)
+                       : sqlite3_bind_blob64(statement_, i, values.data(), values.size() * sizeof(double),
+                                             SQLITE_TRANSIENT));
+  return *this;
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(statement_);
+  if (code == SQLITE_ROW) return true;
+  if (code != SQLITE_DONE) fail(file_, connection_, code);
+  return false;
+}
+
+void Statement::run() {
+  while (step()) {
+  }
+}
+
+bool Statement::read_only() const { return sqlite3_stmt_readonly(statement_) != 0; }
+
+int Statement::columns() const { return sqlite3_column_count(statement_); }
+
+std::string Statement::column_name(int column) const { return sqlite3_column_name(statement_, column); }
+
+bool Statement::is_null(int column) const { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
+
+std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_, column); }
+
+double Statement::number(int column) const {
+  return is_null(column) ? std::numeric_limits<double>::quiet_NaN()
+                         : sqlite3_column_double(statement_, column);
+}
+
+std::string Statement::text(int column) const {
+  const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+  return bytes == nullptr
+             ? std::string()
+             : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)));
+}
+
+std::vector<double> Statement::doubles(int column) const {
+  const void* bytes = sqlite3_column_blob(statement_, column);
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, column));
+  if (size % sizeof(double) != 0) throw Error(file_ + ": a stored curve has a broken length");
+  std::vector<double> values(size / sizeof(double));
+  if (size > 0) std::memcpy(values.data(), bytes, size);
+  return values;
+}
+
+std::variant<std::monostate, std::int64_t, double, std::string> Statement::cell(int column) const {
+  switch (sqlite3_column_type(statement_, column)) {
+    case SQLITE_INTEGER:
+      return integer(column);
+    case SQLITE_FLOAT:
+      return number(column);
+    case SQLITE_TEXT:
+      return text(column);
+    case SQLITE_BLOB:
+      return fmt::format("({} bytes)", sqlite3_column_bytes(statement_, column));
+    default:
+      return std::monostate{};
+  }
+}
+
+Database::Database(const std::filesystem::path& file, Mode mode) : file_(file) {
+  // Opening is lazy in SQLite, and a missing file or a folder would give a message of little help.
+  std::error_code ignored;
+  if (mode == Mode::read_only && !std::filesystem::exists(file, ignored))
+    throw Error(fmt::format("{}: no such database; run the campaign first", file.string()));
+  if (std::filesystem::is_directory(file, ignored))
+    throw Error(fmt::format("{}: is a folder, not a database", file.string()));
+  const int flags =
+      mode == Mode::read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  const int code = sqlite3_open_v2(file.c_str(), &connection_, flags | SQLITE_OPEN_EXRESCODE, nullptr);
+  try {
+    if (code != SQLITE_OK) fail(file.string(), connection_, code);
+    sqlite3_busy_timeout(connection_, busy_timeout_ms);
+    execute("PRAGMA foreign_keys = ON; PRAGMA trusted_schema = OFF");
+    (void)integer("SELECT count(*) FROM sqlite_schema");  // says now if this is no database
+  } catch (...) {
+    sqlite3_close_v2(connection_);
+    throw;
+  }
+}
+
+Database::Database(Database&& other) noexcept
+    : file_(std::move(other.file_)), connection_(std::exchange(other.connection_, nullptr)) {}
+
+Database& Database::operator=(Database&& other) noexcept {
+  std::swap(file_, other.file_);
+  std::swap(connection_, other.connection_);
+  return *this;
+}
+
+Database::~Database() { sqlite3_close_v2(connection_); }
+
+Statement Database::prepare(std::string_view sql) const {
+  return Statement(connection_, sql, file_.string());
+}
+
+void Database::execute(std::string_view sql) const {
+  const int code = sqlite3_exec(connection_, std::string(sql).c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) fail(file_.string(), connection_, code);
+}
+
+std::int64_t Database::integer(std::string_view sql) const {
+  Statement statement = prepare(sql);
+  if (!statement.step()) throw Error(fmt::format("{}: no row from: {}", file_.string(), sql));
+  return statement.integer(0);
+}
+
+Transaction::Transaction(const Database& database, Kind kind) : database_(database) {
+  database_.execute(kind == Kind::write ? "BEGIN IMMEDIATE" : "BEGIN");
+}
+
+Transaction::~Transaction() {
+  if (!open_) return;
+  try {
+    database_.execute("ROLLBACK");
+  } catch (const Error&) {
+    // SQLite has rolled back by itself (a full disk does that); there is nothing left to undo.
+  }
+}
+
+void Transaction::commit() {
+  database_.execute("COMMIT");
+  open_ = false;
+}
+
+}  // namespace cpt::results

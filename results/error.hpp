@@ -1,0 +1,19 @@
+// What goes wrong with the files of a campaign, in words for its user.
+#pragma once
+
+#include <stdexcept>
+
+namespace cpt::results {
+
+/// A database or curve file that cannot be used: locked, damaged, of another program or schema, unwritable.
+/// `what()` names the file and what to do.
+struct Error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Another running campaign holds the database.
+struct Locked : Error {
+  using Error::Error;
+};
+
+}  // namespace cpt::results

@@ -1,0 +1,62 @@
+#include "results/file_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "results/error.hpp"
+
+namespace cpt::results {
+namespace {
+
+/// False if the name now belongs to another file: the former holder removed ours between open and flock.
+bool still_named(int descriptor, const std::filesystem::path& file) {
+  struct stat held {};
+  struct stat named {};
+  return fstat(descriptor, &held) == 0 && stat(file.c_str(), &named) == 0 && held.st_ino == named.st_ino &&
+         held.st_dev == named.st_dev;
+}
+
+std::string holder(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  return std::getline(in, line) && !line.empty() ? line : "another process";
+}
+
+}  // namespace
+
+FileLock::FileLock(std::filesystem::path file) : file_(std::move(file)) {
+  while (true) {
+    // Close-on-exec: a realization's own process must not inherit, and outlive us with, the lock.
+    descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (descriptor_ < 0)
+      throw Error(fmt::format("{}: cannot be created ({})", file_.string(), std::strerror(errno)));
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+      const int why = errno;
+      close(descriptor_);
+      if (why == EWOULDBLOCK)
+        throw Locked(fmt::format("{}: held by {}; wait until that campaign ends, or end it", file_.string(),
+                                 holder(file_)));
+      throw Error(fmt::format("{}: cannot be locked ({})", file_.string(), std::strerror(why)));
+    }
+    if (still_named(descriptor_, file_)) break;
+    close(descriptor_);
+  }
+  const std::string text = fmt::format("process {}\n", getpid());
+  // The text only helps a message; the lock holds without it.
+  if (ftruncate(descriptor_, 0) == 0) (void)!write(descriptor_, text.data(), text.size());
+}
+
+FileLock::~FileLock() {
+  unlink(file_.c_str());  // while still locked, so nobody else can hold this name yet
+  close(descriptor_);
+}
+
+}  // namespace cpt::results

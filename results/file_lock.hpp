@@ -1,0 +1,24 @@
+// An advisory lock file, so that one campaign at a time writes a database.
+#pragma once
+
+#include <filesystem>
+
+namespace cpt::results {
+
+/// Holds `file` locked while it lives. The kernel drops the lock with the process, however it ends, so a
+/// leftover file never blocks. Works on local disks and on network file systems that support flock.
+class FileLock {
+ public:
+  /// Throws Locked, naming the holder, if another process (or object) holds it; Error if the file cannot be
+  /// made.
+  explicit FileLock(std::filesystem::path file);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+};
+
+}  // namespace cpt::results

@@ -1,0 +1,200 @@
+#include "results/ledger.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "results/database.hpp"
+#include "results/file_lock.hpp"
+#include "results/ledger_rows.hpp"
+#include "results/provenance.hpp"
+#include "results/schema.hpp"
+
+namespace cpt::results {
+namespace {
+
+/// How a stored realization enters a new run.
+enum class Fate { keep_completed, keep_failed, wait, interrupted, retry };
+
+Fate fate_of(const std::string& status, bool retry_failed) {
+  if (status == "completed") return Fate::keep_completed;
+  if (status == "pending") return Fate::wait;
+  // A lost rank is an accident of the machine, not a property of the realization.
+  if (status == "running" || status == "rank_lost") return Fate::interrupted;
+  return retry_failed ? Fate::retry : Fate::keep_failed;
+}
+
+void describe(const std::string& old_solver_version, Opened& opened) {
+  const auto say = [&](int count, std::string_view what) {
+    if (count > 0)
+      opened.messages.push_back(
+          fmt::format("{} {} {}", count, count == 1 ? "realization" : "realizations", what));
+  };
+  say(opened.kept, "kept: completed before with the same settings");
+  say(opened.failed, "failed before and not run again (--retry-failed runs them)");
+  say(opened.retried, "failed before and to be run again");
+  say(opened.interrupted, "interrupted before and to be run again");
+  const bool other_solver = old_solver_version != solver::solver_version();
+  say(opened.discarded, other_solver
+                            ? fmt::format("dropped: made by solver version {}, this is {}",
+                                          old_solver_version, solver::solver_version())
+                            : std::string("dropped: finished before with settings the study no longer has"));
+}
+
+/// Gives the stored realizations the ids of the study's, by settings hash, and adds those that are new.
+Opened match_realizations(const Database& database, const parameters::Study& study,
+                          std::span<const parameters::Realization> realizations, bool retry_failed) {
+  struct Old {
+    int id;
+    std::string hash, status, solver_version;
+  };
+  std::vector<Old> old;
+  Statement all =
+      database.prepare("SELECT id, settings_hash, status, solver_version FROM realization ORDER BY id");
+  while (all.step()) old.push_back({static_cast<int>(all.integer(0)), all.text(1), all.text(2), all.text(3)});
+  const std::string old_solver_version = old.empty() ? "" : old.front().solver_version;
+
+  // Negative ids keep old and new apart while rows are renumbered; curves follow by ON UPDATE CASCADE.
+  database.execute("UPDATE realization SET id = -id");
+  Opened opened;
+  for (const parameters::Realization& realization : realizations) {
+    const RealizationInput input = describe_input(study, realization);
+    const auto match =
+        std::find_if(old.begin(), old.end(), [&](const Old& row) { return row.hash == input.settings_hash; });
+    if (match == old.end()) {
+      insert_pending(database, realization.id, input);
+      continue;
+    }
+    rename_realization(database, -match->id, realization.id, input);
+    const Fate fate = fate_of(match->status, retry_failed);
+    if (fate == Fate::interrupted || fate == Fate::retry) clear_outcome(database, realization.id);
+    opened.kept += fate == Fate::keep_completed;
+    opened.failed += fate == Fate::keep_failed;
+    opened.interrupted += fate == Fate::interrupted;
+    opened.retried += fate == Fate::retry;
+    old.erase(match);
+  }
+  opened.discarded = static_cast<int>(std::count_if(old.begin(), old.end(), [](const Old& row) {
+    return row.status != "pending" && row.status != "running" && row.status != "rank_lost";
+  }));
+  database.execute("DELETE FROM realization WHERE id < 0");
+  describe(old_solver_version, opened);
+  return opened;
+}
+
+/// A study whose name differs and that shares no run with the database is most likely a mistyped file name.
+void refuse_other_study(const Database& database, const parameters::Study& study, const Opened& opened) {
+  Statement row = database.prepare("SELECT name FROM campaign");
+  if (!row.step() || row.text(0) == study.name || opened.kept > 0 || opened.discarded == 0) return;
+  throw Error(
+      fmt::format("{}: holds {} finished realizations of the study '{}' and none of '{}'; name another "
+                  "database, or move this one away",
+                  database.file().string(), opened.discarded, row.text(0), study.name));
+}
+
+}  // namespace
+
+struct Ledger::State {
+  std::unique_ptr<FileLock> lock;  // before the database, so that it is released after it is closed
+  Database database;
+  parameters::Study study;
+  Opened opened;
+};
+
+Ledger::Ledger(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Ledger::Ledger(Ledger&&) noexcept = default;
+Ledger& Ledger::operator=(Ledger&&) noexcept = default;
+
+Ledger::~Ledger() {
+  if (state_ == nullptr) return;
+  try {
+    // Leaves one plain file that opens from read-only media too. Not possible while a reader has it open.
+    state_->database.execute("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE");
+  } catch (const Error&) {
+  }
+}
+
+Ledger Ledger::open_for_run(const parameters::Study& study,
+                            std::span<const parameters::Realization> realizations,
+                            const RunOptions& options) {
+  const std::filesystem::path& file = study.database;
+  if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path()))
+    throw Error(fmt::format("{}: the folder {} does not exist", file.string(), file.parent_path().string()));
+  auto lock = std::make_unique<FileLock>(file.string() + ".lock");
+  Database database(file, Database::Mode::read_write);
+  const bool created = is_empty(database);
+  if (!created) check_schema(database);
+  database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+
+  Transaction transaction(database, Transaction::Kind::write);
+  database.execute("PRAGMA defer_foreign_keys = ON");
+  if (created) create_schema(database);
+  Opened opened = match_realizations(database, study, realizations, options.retry_failed);
+  refuse_other_study(database, study, opened);
+  write_study(database, study, options.study_text);
+  recompute_windows(database, study);
+  opened.created = created;
+  opened.pending =
+      static_cast<int>(database.integer("SELECT count(*) FROM realization WHERE status = 'pending'"));
+  transaction.commit();
+  return Ledger(
+      std::make_unique<State>(State{std::move(lock), std::move(database), study, std::move(opened)}));
+}
+
+const Opened& Ledger::opened() const { return state_->opened; }
+
+std::filesystem::path Ledger::path() const { return state_->database.file(); }
+
+Counts Ledger::counts() const {
+  Counts counts;
+  Statement rows = state_->database.prepare("SELECT status, count(*) FROM realization GROUP BY status");
+  while (rows.step()) {
+    const std::string status = rows.text(0);
+    int& count = status == "pending"     ? counts.pending
+                 : status == "running"   ? counts.running
+                 : status == "completed" ? counts.completed
+                                         : counts.failed;
+    count += static_cast<int>(rows.integer(1));
+  }
+  return counts;
+}
+
+std::vector<int> Ledger::pending() const {
+  std::vector<int> ids;
+  Statement rows =
+      state_->database.prepare("SELECT id FROM realization WHERE status = 'pending' ORDER BY id");
+  while (rows.step()) ids.push_back(static_cast<int>(rows.integer(0)));
+  return ids;
+}
+
+void Ledger::mark_running(int id) {
+  require_waiting(state_->database, id);
+  state_->database.prepare("UPDATE realization SET status = 'running', started = ? WHERE id = ?")
+      .bind(utc_now())
+      .bind(id)
+      .run();
+}
+
+void Ledger::mark_pending(int id) {
+  require_waiting(state_->database, id);
+  clear_outcome(state_->database, id);
+}
+
+void Ledger::record(int id, const solver::Outcome& outcome) {
+  const Database& database = state_->database;
+  Transaction transaction(database, Transaction::Kind::write);
+  require_waiting(database, id);
+  write_outcome(database, id, outcome);
+  const bool baseline =
+      database.prepare("SELECT 1 FROM realization WHERE id = ? AND side = 'baseline'").bind(id).step();
+  if (baseline) {
+    recompute_windows(database, state_->study);
+  } else if (outcome.status == solver::Status::completed) {
+    write_window_means(database, id, outcome.profile);
+  }
+  transaction.commit();
+}
+
+}  // namespace cpt::results

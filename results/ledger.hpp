@@ -1,0 +1,86 @@
+// The campaign's ledger: one SQLite database with one writer, the campaign's master.
+//
+// Every finished realization is one transaction (status, audit, curve, window means) with synchronous = FULL,
+// so a kill at any moment loses only what was still running. Readers (snapshot.hpp, query.hpp, or any SQLite
+// browser) may open the database at any time, also while the campaign runs. The schema is in docs/schema.md.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parameters/realization.hpp"
+#include "parameters/study.hpp"
+#include "results/error.hpp"
+#include "solver/simulate.hpp"
+
+namespace cpt::results {
+
+struct RunOptions {
+  std::string study_text;     ///< the study file as the user wrote it, kept for provenance
+  bool retry_failed = false;  ///< run failed realizations again
+};
+
+/// What opening the ledger found and did.
+struct Opened {
+  bool created = false;  ///< a new database
+  int kept = 0;          ///< completed with the same settings: not run again
+  int failed = 0;        ///< failed with the same settings: stay failed (retry_failed runs them again)
+  int interrupted =
+      0;              ///< were running, or lost with their rank, when the last campaign ended: pending again
+  int retried = 0;    ///< failed ones set back to pending because retry_failed asked for it
+  int discarded = 0;  ///< finished ones dropped because their settings or the solver changed
+  int pending = 0;    ///< to run now
+  std::vector<std::string>
+      messages;  ///< the above in sentences, for the user; empty where there is nothing to say
+};
+
+/// Realizations by state.
+struct Counts {
+  int pending = 0;
+  int running = 0;
+  int completed = 0;
+  int failed = 0;
+  [[nodiscard]] int total() const { return pending + running + completed + failed; }
+};
+
+/// The writer. Not thread-safe. Holds the lock file NAME.sqlite.lock while it lives; the operating system
+/// releases the lock if the process is killed.
+class Ledger {
+ public:
+  /// Opens or creates `study.database` for a run of these realizations, which become its rows. Finished runs
+  /// are matched by settings hash, so adding, removing or reordering rows of a study keeps what is still
+  /// valid. Throws Locked if another campaign holds it; Error if it is not a ledger, has another schema
+  /// version, or holds finished runs of a differently named study only.
+  [[nodiscard]] static Ledger open_for_run(const parameters::Study& study,
+                                           std::span<const parameters::Realization> realizations,
+                                           const RunOptions& options);
+  Ledger(Ledger&&) noexcept;
+  Ledger& operator=(Ledger&&) noexcept;
+  ~Ledger();
+
+  [[nodiscard]] const Opened& opened() const;
+  [[nodiscard]] std::filesystem::path path() const;
+  [[nodiscard]] Counts counts() const;
+
+  /// Ids to run, rising.
+  [[nodiscard]] std::vector<int> pending() const;
+  /// A pending realization was handed out.
+  void mark_running(int id);
+  /// A running realization goes back to pending (its worker was lost and it is to be run elsewhere).
+  void mark_pending(int id);
+  /// A realization ended, well or not: status, reason, audit, curve and window means in one transaction. The
+  /// baseline's record also resolves the peak and trough windows and averages every curve stored before it.
+  /// Throws std::logic_error if the realization had already ended.
+  void record(int id, const solver::Outcome& outcome);
+
+ private:
+  struct State;
+  explicit Ledger(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace cpt::results

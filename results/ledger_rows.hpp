@@ -1,0 +1,45 @@
+// The ledger's single writes, each within a transaction of the caller. Used by ledger.cpp alone.
+#pragma once
+
+#include <string>
+
+#include "parameters/realization.hpp"
+#include "parameters/study.hpp"
+#include "results/database.hpp"
+#include "solver/simulate.hpp"
+
+namespace cpt::results {
+
+/// What identifies a realization in the ledger.
+struct RealizationInput {
+  std::string parameter;  ///< empty for the baseline
+  std::string side;
+  double value;  ///< NaN for the baseline
+  std::string value_text;
+  std::string settings_hash;
+};
+[[nodiscard]] RealizationInput describe_input(const parameters::Study& study,
+                                              const parameters::Realization& realization);
+
+void insert_pending(const Database& database, int id, const RealizationInput& input);
+/// Moves the stored realization `old_id` to `new_id` with its curve and window means.
+void rename_realization(const Database& database, int old_id, int new_id, const RealizationInput& input);
+/// Back to pending: drops status, audit and curve.
+void clear_outcome(const Database& database, int id);
+/// Throws std::logic_error unless the realization is pending or running.
+void require_waiting(const Database& database, int id);
+
+/// Replaces campaign, layers, parameters and windows by the study's.
+void write_study(const Database& database, const parameters::Study& study, const std::string& study_text);
+
+/// Status, reason, audit and curve of an ended realization.
+void write_outcome(const Database& database, int id, const solver::Outcome& outcome);
+
+[[nodiscard]] solver::DepthProfile read_profile(const Database& database, int id);
+/// Averages of one completed realization in all windows that are resolved.
+void write_window_means(const Database& database, int id, const solver::DepthProfile& profile);
+/// Resolves the windows on the baseline's curve and averages every completed realization's. A function of the
+/// stored curves alone, so the order in which realizations finish does not show.
+void recompute_windows(const Database& database, const parameters::Study& study);
+
+}  // namespace cpt::results

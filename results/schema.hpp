@@ -1,0 +1,20 @@
+// The ledger's tables and views, as SQL; docs/schema.md explains every column.
+#pragma once
+
+#include "results/database.hpp"
+
+namespace cpt::results {
+
+/// Raised whenever a table or view changes in a way that a reader would notice.
+inline constexpr int schema_version = 1;
+
+/// Creates all tables and views in an empty database.
+void create_schema(const Database& database);
+
+/// True if the database holds nothing at all.
+[[nodiscard]] bool is_empty(const Database& database);
+
+/// Throws Error unless the database is a campaign's ledger of this schema version.
+void check_schema(const Database& database);
+
+}  // namespace cpt::results

@@ -1,0 +1,115 @@
+#include "results/snapshot.hpp"
+
+#include <fmt/format.h>
+
+#include "results/database.hpp"
+#include "results/ledger_rows.hpp"
+#include "results/schema.hpp"
+
+namespace cpt::results {
+namespace {
+
+constexpr std::string_view realization_columns =
+    "id, parameter, side, value, value_text, status, reason, wall_s, steps, material_points, settings_hash, "
+    "solver_version, started, finished, mass_error, momentum_error, energy_error, kinetic_fraction, "
+    "max_empty_cells, min_time_step_s, max_time_step_s";
+
+RealizationRow realization_row(const Statement& row) {
+  RealizationRow r;
+  r.id = static_cast<int>(row.integer(0));
+  r.parameter = row.text(1);
+  r.side = row.text(2);
+  r.value = row.number(3);
+  r.value_text = row.text(4);
+  r.status = row.text(5);
+  r.reason = row.text(6);
+  r.wall_s = row.number(7);
+  r.steps = row.integer(8);
+  r.material_points = row.integer(9);
+  r.settings_hash = row.text(10);
+  r.solver_version = row.text(11);
+  r.started = row.text(12);
+  r.finished = row.text(13);
+  r.audit = {
+      row.number(14), row.number(15), row.number(16), row.number(17), static_cast<int>(row.integer(18)),
+      row.number(19), row.number(20)};
+  return r;
+}
+
+void read_description(const Database& database, Snapshot& s) {
+  Statement campaign = database.prepare(
+      "SELECT name, title, profile, preset, study_text, baseline_setup, program_version, solver_version, "
+      "created, "
+      "curve_file FROM campaign");
+  if (!campaign.step()) throw Error(database.file().string() + ": the ledger names no campaign");
+  s.campaign = {campaign.text(0), campaign.text(1), campaign.text(2), campaign.text(3), campaign.text(4),
+                campaign.text(5), campaign.text(6), campaign.text(7), campaign.text(8), campaign.text(9)};
+  Statement layers = database.prepare("SELECT top_m, bottom_m, soil FROM layer ORDER BY position");
+  while (layers.step()) s.layers.push_back({layers.number(0), layers.number(1), layers.text(2)});
+  Statement rows = database.prepare(
+      "SELECT name, symbol, unit, meaning, baseline, lower, upper, baseline_text, lower_text, upper_text "
+      "FROM parameter ORDER BY position");
+  while (rows.step())
+    s.parameters.push_back({rows.text(0), rows.text(1), rows.text(2), rows.text(3), rows.number(4),
+                            rows.number(5), rows.number(6), rows.text(7), rows.text(8), rows.text(9)});
+  Statement windows =
+      database.prepare("SELECT name, kind, from_m, to_m, problem FROM depth_window ORDER BY position");
+  while (windows.step())
+    s.windows.push_back(
+        {windows.text(0), windows.text(1), windows.number(2), windows.number(3), windows.text(4)});
+}
+
+void read_numbers(const Database& database, Snapshot& s) {
+  Statement rows =
+      database.prepare(fmt::format("SELECT {} FROM realization ORDER BY id", realization_columns));
+  while (rows.step()) s.realizations.push_back(realization_row(rows));
+  Statement means = database.prepare(
+      "SELECT realization, m.window, m.from_m, m.to_m, q_c_mean_kPa, q_c_min_kPa, q_c_max_kPa FROM "
+      "window_mean AS m "
+      "JOIN depth_window AS w ON w.name = m.window ORDER BY realization, w.position");
+  while (means.step())
+    s.window_means.push_back({static_cast<int>(means.integer(0)), means.text(1), means.number(2),
+                              means.number(3), means.number(4), means.number(5), means.number(6)});
+  Statement si = database.prepare("SELECT * FROM sensitivity");
+  while (si.step())
+    s.sensitivity.push_back({si.text(0), si.text(1), si.number(2), si.number(3), si.number(4), si.number(5),
+                             si.number(6), si.number(7),
+                             si.is_null(8) ? std::nullopt : std::optional(si.integer(8) != 0), si.text(9)});
+  Statement curves =
+      database.prepare("SELECT realization, depth_m, q_c_Pa, f_s_Pa FROM curve ORDER BY realization");
+  while (curves.step())
+    s.curves.push_back(
+        {static_cast<int>(curves.integer(0)), {curves.doubles(1), curves.doubles(2), curves.doubles(3)}});
+}
+
+Database open_ledger(const std::filesystem::path& file) {
+  Database database(file, Database::Mode::read_only);
+  check_schema(database);
+  return database;
+}
+
+}  // namespace
+
+Snapshot read_snapshot(const std::filesystem::path& file) {
+  const Database database = open_ledger(file);
+  const Transaction transaction(database, Transaction::Kind::read);
+  Snapshot snapshot;
+  read_description(database, snapshot);
+  read_numbers(database, snapshot);
+  return snapshot;
+}
+
+std::optional<StoredRun> read_run(const std::filesystem::path& file, int id) {
+  const Database database = open_ledger(file);
+  const Transaction transaction(database, Transaction::Kind::read);
+  Statement row =
+      database.prepare(fmt::format("SELECT {} FROM realization WHERE id = ?", realization_columns));
+  row.bind(id);
+  if (!row.step()) return std::nullopt;
+  StoredRun run{realization_row(row), std::nullopt};
+  solver::DepthProfile profile = read_profile(database, id);
+  if (!profile.depth.empty()) run.profile = std::move(profile);
+  return run;
+}
+
+}  // namespace cpt::results

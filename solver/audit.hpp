@@ -1,0 +1,40 @@
+// Conservation audit of a run, and the guard against states that no longer mean anything.
+#pragma once
+
+#include <string>
+
+#include "solver/model.hpp"
+#include "solver/penetrometer.hpp"
+#include "solver/simulate.hpp"
+
+namespace cpt::solver {
+
+/// Adds up impulses and work over the steps.
+///
+/// Momentum: change of the points' vertical momentum against the impulses of weight, bottom and penetrometer.
+/// Not exact, because nodal inertia follows the Gauss points and nodal velocity the material points. Energy:
+/// work of the penetrometer and of the weight against internal work of the points, kinetic energy and
+/// sliding.
+class Auditor {
+ public:
+  explicit Auditor(const Model& model);
+
+  /// After each step. `bottom_impulse` [N s/rad] from ChamberBoundary::fix_boundaries.
+  void add_step(const Model& model, const PenetrometerLoad& load, double bottom_impulse, double speed,
+                double dt);
+
+  /// Every some steps: empty if all is well, else what is wrong; fills `status`.
+  [[nodiscard]] std::string check(const Model& model, double travel, Status& status);
+
+  [[nodiscard]] Audit summary(const Model& model) const;
+
+ private:
+  Audit audit_;
+  double initial_mass_, initial_momentum_;             // over the full circumference
+  double initial_weight_energy_;                       // [J] potential energy of the effective weight
+  double impulse_ = 0.0, penetrometer_impulse_ = 0.0;  // [N s]
+  double penetrometer_work_ = 0.0, sliding_ = 0.0;     // [J]
+  double kinetic_ = 0.0;                               // [J] at the last check
+};
+
+}  // namespace cpt::solver

@@ -1,0 +1,89 @@
+// The material points, in structure-of-arrays form, kept sorted by cell and soil.
+//
+// Points of one cell and one soil form a bucket: contiguous slots, a multiple of eight long, aligned to a
+// vector register, the unused tail holding massless dummies. So every kernel runs without gather, scatter,
+// masks or atomics, and sums over a bucket have one fixed order whatever the number of threads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "solver/setup.hpp"
+
+namespace cpt::solver {
+
+/// What a material point is made of: the soils, and the surcharge above them.
+enum class Material : std::uint8_t { sand, clay, surcharge };
+inline constexpr std::int32_t material_count = 3;
+
+/// Pointers to the first slot of a bucket in each field.
+struct PointFields {
+  double* r;     // [m] position
+  double* z;     // [m]
+  double* v_r;   // [m/s] velocity
+  double* v_z;   // [m/s]
+  double* s_rr;  // [Pa] Cauchy stress, tension-positive
+  double* s_zz;
+  double* s_tt;
+  double* s_rz;
+  double* mass;    // [kg/rad]
+  double* volume;  // [m3/rad]
+  double* e;       // [-] void ratio
+  double* p_i;     // [Pa] image pressure of NorSand
+  double* xi;      // [-] natural coordinates in the cell
+  double* eta;
+  double* load;  // [N/rad] share of a traction at the soil's top, downward
+};
+inline constexpr std::int32_t field_count = sizeof(PointFields) / sizeof(double*);
+
+struct Bucket {
+  std::size_t begin = 0;      // first slot, a multiple of 8
+  std::int32_t count = 0;     // points
+  std::int32_t capacity = 0;  // slots, a multiple of 8
+  [[nodiscard]] std::size_t padded() const { return static_cast<std::size_t>((count + 7) / 8 * 8); }
+};
+
+/// One point, to be put into a bucket.
+struct Point {
+  double field[field_count];
+  std::uint32_t id;
+};
+
+class MaterialPoints {
+ public:
+  /// Sorts `points` into buckets: bucket_of[k] = cell * material_count + material.
+  MaterialPoints(const std::vector<Point>& points, const std::vector<std::int32_t>& bucket_of,
+                 std::int32_t cells);
+
+  [[nodiscard]] const Bucket& bucket(std::int32_t index) const { return buckets_[index]; }
+  [[nodiscard]] std::int32_t bucket_count() const { return static_cast<std::int32_t>(buckets_.size()); }
+  [[nodiscard]] PointFields fields(const Bucket& bucket) const;
+  [[nodiscard]] std::uint32_t id(std::size_t slot) const { return ids_[slot]; }
+  [[nodiscard]] std::int64_t size() const { return size_; }
+  [[nodiscard]] std::size_t slots() const { return slots_; }
+
+  /// Moves a point to the end of another bucket; the source's last point takes its slot. Allocates only when
+  /// the target is full, which is rare.
+  void move(std::int32_t from, std::int32_t slot_in_bucket, std::int32_t to);
+
+ private:
+  void allocate(const std::vector<std::int32_t>& counts);
+  void grow(std::int32_t full_bucket);
+  void make_dummy(std::size_t slot);
+  [[nodiscard]] double* field(std::int32_t f) const {
+    return data_.get() + static_cast<std::size_t>(f) * slots_;
+  }
+
+  struct Free {
+    void operator()(double* p) const;
+  };
+  std::unique_ptr<double[], Free> data_;
+  std::vector<std::uint32_t> ids_;
+  std::vector<Bucket> buckets_;
+  std::size_t slots_ = 0;
+  std::int64_t size_ = 0;
+};
+
+}  // namespace cpt::solver

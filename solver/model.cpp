@@ -1,0 +1,412 @@
+#include "solver/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace cpt::solver {
+namespace {
+
+constexpr double gauss = 0.57735026918962576;  // 1/sqrt(3)
+constexpr double quadrant_xi[4] = {-gauss, gauss, -gauss, gauss};
+constexpr double quadrant_eta[4] = {-gauss, -gauss, gauss, gauss};
+constexpr double corner_xi[4] = {-1.0, 1.0, 1.0, -1.0};
+constexpr double corner_eta[4] = {-1.0, -1.0, 1.0, 1.0};
+
+template <typename Function>
+void for_each_index(std::int32_t count, int threads, const Function& function) {
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+  for (std::int32_t i = 0; i < count; ++i) function(i);
+}
+
+// Shortest distance across a sheared cell [m]: its width, and its height measured across the steeper row.
+double smallest_extent(const CellShape& s) {
+  const double left = (s.zt0 - s.zt1) - (s.zb0 - s.zb1), right = (s.zt0 + s.zt1) - (s.zb0 + s.zb1);
+  const double slope = std::max(std::abs(s.zb1), std::abs(s.zt1)) / s.a;
+  return std::min(2.0 * s.a, std::min(left, right) / std::sqrt(1.0 + slope * slope));
+}
+
+}  // namespace
+
+double Laws::update(Material material, const Batch& batch) const {
+  switch (material) {
+    case Material::sand:
+      return sand->update(batch);
+    case Material::clay:
+      return clay->update(batch);
+    default:
+      return surcharge->update(batch);
+  }
+}
+
+Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std::int32_t>& material_of,
+             Laws laws, const ModelSettings& settings)
+    : mesh_(std::move(mesh)),
+      points_([&] {
+        std::vector<Point> located = points;
+        std::vector<std::int32_t> bucket_of(points.size());
+        for (std::size_t k = 0; k < points.size(); ++k) {
+          const Location at = mesh_.locate(points[k].field[0], points[k].field[1]);
+          bucket_of[k] = at.cell * material_count + material_of[k];
+        }
+        return MaterialPoints(located, bucket_of, static_cast<std::int32_t>(mesh_.cells().size()));
+      }()),
+      laws_(std::move(laws)),
+      settings_(settings),
+      kernels_(transfer_kernels()) {
+  const std::size_t cells = mesh_.cells().size(), nodes = static_cast<std::size_t>(mesh_.node_count());
+  sums_.resize(cells);
+  forces_.resize(cells);
+  shapes_.resize(cells);
+  modulus_.assign(cells, 0.0);
+  work_.assign(cells, 0.0);
+  filled_at_start_.assign(cells, 0);
+  if (settings_.stress_smoothing > 0.0) mean_stress_.resize(cells);
+  for (auto* field : {&nodes_.inertia, &nodes_.mass, &nodes_.v_r, &nodes_.v_z, &nodes_.dv_r, &nodes_.dv_z,
+                      &nodes_.f_r, &nodes_.f_z, &p_r_, &p_z_})
+    field->assign(nodes, 0.0);
+  leavers_.resize(static_cast<std::size_t>(settings_.threads));
+  for (auto& list : leavers_) list.reserve(4096);
+  split_cells();
+  sum_all_points();
+}
+
+StrainScratch Model::scratch(int thread) {
+  double* base = scratch_.data() + static_cast<std::size_t>(thread) * 5 * scratch_stride_;
+  base += (8 - (reinterpret_cast<std::uintptr_t>(base) / sizeof(double)) % 8) % 8;  // to a 64-byte boundary
+  return {base, base + scratch_stride_, base + 2 * scratch_stride_, base + 3 * scratch_stride_,
+          base + 4 * scratch_stride_};
+}
+
+// Shares the cells out to threads by their number of points, and makes room for the largest bucket.
+void Model::split_cells() {
+  const auto cells = static_cast<std::int32_t>(mesh_.cells().size());
+  split_.assign(static_cast<std::size_t>(settings_.threads) + 1, cells);
+  split_[0] = 0;
+  std::int64_t seen = 0;
+  std::size_t next = 1, largest = 0;
+  for (std::int32_t b = 0; b < points_.bucket_count(); ++b) {
+    seen += points_.bucket(b).count;
+    largest = std::max(largest, static_cast<std::size_t>(points_.bucket(b).capacity));
+    while (next < split_.size() - 1 &&
+           seen * settings_.threads >= points_.size() * static_cast<std::int64_t>(next))
+      split_[next++] = b / material_count + 1;
+  }
+  const std::size_t stride = (largest + 64 + 7) / 8 * 8;
+  if (stride > scratch_stride_) {
+    scratch_stride_ = stride;
+    scratch_.assign(static_cast<std::size_t>(settings_.threads) * 5 * scratch_stride_ + 64, 0.0);
+  }
+}
+
+// Start: natural coordinates, sums and stiffness, without moving anything.
+void Model::sum_all_points() {
+  const StrainScratch strain = scratch(0);
+  std::fill(scratch_.begin(), scratch_.end(), 0.0);
+  for (std::size_t c = 0; c < sums_.size(); ++c) {
+    const auto cell = static_cast<std::int32_t>(c);
+    shapes_[c] = mesh_.shape(mesh_.cells()[c]);
+    std::memset(&sums_[c], 0, sizeof(CellSums));
+    for (std::int32_t m = 0; m < material_count; ++m) {
+      const Bucket& bucket = points_.bucket(cell * material_count + m);
+      if (bucket.count == 0) continue;
+      const PointFields p = points_.fields(bucket);
+      const Batch batch{bucket.padded(), p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,     p.e,
+                        p.p_i,           strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz};
+      modulus_[c] = std::max(modulus_[c], laws_.update(static_cast<Material>(m), batch));
+      for (std::int32_t k = 0; k < bucket.count; ++k) {
+        const Location at = mesh_.locate(p.r[k], p.z[k]);
+        p.xi[k] = at.xi;
+        p.eta[k] = at.eta;
+        add_to_sums(sums_[c], p, static_cast<std::size_t>(k), static_cast<Material>(m));
+      }
+      filled_at_start_[c] = 1;
+    }
+  }
+}
+
+void Model::compute_nodal_forces() {
+  const auto cells = static_cast<std::int32_t>(sums_.size());
+  for_each_index(cells, settings_.threads, [this](std::int32_t c) { compute_cell_forces(c); });
+  for_each_index(mesh_.node_count(), settings_.threads, [this](std::int32_t n) { assemble_node(n); });
+  condense_hanging_nodes();
+  for_each_index(mesh_.node_count(), settings_.threads, [this](std::int32_t n) {
+    const double inverse = nodes_.mass[n] > 0.0 ? 1.0 / nodes_.mass[n] : 0.0;
+    nodes_.v_r[n] = p_r_[n] * inverse;
+    nodes_.v_z[n] = p_z_[n] * inverse;
+  });
+  time_step_ = INFINITY;
+  for (const CellForces& f : forces_) time_step_ = std::min(time_step_, f.time_step);
+}
+
+// Gauss integration with quadrant averages of the material points' stresses (mixed integration, Al-Kafaji
+// 2013; Martinelli & Galavi 2022) and B-bar in its mean-dilatation form (Hughes 2000, sec. 4.5): unlike the
+// value at the centre, the cell's mean passes the patch test on sheared axisymmetric cells.
+void Model::compute_cell_forces(std::int32_t c) {
+  const CellSums& sums = sums_[c];
+  CellForces& out = forces_[c];
+  const CellShape& s = shapes_[c];
+  out = CellForces{};
+  out.time_step = INFINITY;
+  const double volume = sums.volume[0] + sums.volume[1] + sums.volume[2] + sums.volume[3];
+  double integral_N[4] = {}, mean_pressure_volume = 0.0, cell_volume = 0.0;
+
+  double cell_mean[4] = {};
+  if (volume > 0.0) {
+    const double inverse = 1.0 / volume;
+    for (int q = 0; q < 4; ++q) {
+      cell_mean[0] += sums.s_rr[q] * inverse;
+      cell_mean[1] += sums.s_zz[q] * inverse;
+      cell_mean[2] += sums.s_tt[q] * inverse;
+      cell_mean[3] += sums.s_rz[q] * inverse;
+    }
+  }
+
+  for (int q = 0; q < 4; ++q) {
+    // A quadrant without points takes the cell's mean.
+    double stress[4];
+    if (sums.volume[q] > 0.0) {
+      const double inverse = 1.0 / sums.volume[q];
+      stress[0] = sums.s_rr[q] * inverse;
+      stress[1] = sums.s_zz[q] * inverse;
+      stress[2] = sums.s_tt[q] * inverse;
+      stress[3] = sums.s_rz[q] * inverse;
+    } else {
+      std::copy_n(cell_mean, 4, stress);
+    }
+    if (!mean_stress_.empty()) std::copy_n(stress, 4, mean_stress_[c][q].begin());
+
+    const double xi = quadrant_xi[q], eta = quadrant_eta[q];
+    const double z_eta = 0.5 * ((s.zt0 - s.zb0) + (s.zt1 - s.zb1) * xi);
+    const double z_xi = 0.5 * ((s.zb1 + s.zt1) + (s.zt1 - s.zb1) * eta);
+    const double r = s.r_c + s.a * xi;
+    const double V = r * s.a * z_eta;  // [m3/rad] of the Gauss point
+    const double p = (stress[0] + stress[1] + stress[2]) / 3.0;
+    const double d_rr = stress[0] - p, d_zz = stress[1] - p, d_tt = stress[2] - p, d_rz = stress[3];
+    cell_volume += V;
+    mean_pressure_volume += V * p;
+    for (int k = 0; k < 4; ++k) {
+      const double N = 0.25 * (1.0 + corner_xi[k] * xi) * (1.0 + corner_eta[k] * eta);
+      const double N_xi = 0.25 * corner_xi[k] * (1.0 + corner_eta[k] * eta);
+      const double N_eta = 0.25 * corner_eta[k] * (1.0 + corner_xi[k] * xi);
+      const double N_z = N_eta / z_eta;
+      const double N_r = (N_xi - N_z * z_xi) / s.a;
+      out.f_r[k] -= V * (d_rr * N_r + d_rz * N_z + d_tt * N / r);
+      out.f_z[k] -= V * (d_zz * N_z + d_rz * N_r);
+      out.mean_r[k] += V * (N_r + N / r);
+      out.mean_z[k] += V * N_z;
+      integral_N[k] += V * N;
+    }
+  }
+
+  const double p = mean_pressure_volume / cell_volume;
+  double mass = 0.0, weight = 0.0;
+  for (int m = 0; m < material_count; ++m) {
+    mass += sums.material_mass[m];
+    weight += sums.material_mass[m] * settings_.weight_ratio[m] * settings_.gravity;
+  }
+  const double density = volume > 0.0 ? mass / volume : 0.0,
+               unit_weight = volume > 0.0 ? weight / volume : 0.0;
+  const double fill = settings_.partial_cells ? std::min(1.0, volume / cell_volume) : 1.0;
+  for (int k = 0; k < 4; ++k) {
+    out.f_r[k] = fill * (out.f_r[k] - p * out.mean_r[k]);
+    out.f_z[k] = fill * (out.f_z[k] - p * out.mean_z[k] - unit_weight * integral_N[k]);
+    out.inertia[k] = fill * density * settings_.mass_scaling * integral_N[k];
+    out.mean_r[k] /= cell_volume;
+    out.mean_z[k] /= cell_volume;
+  }
+  if (volume > 0.0) {
+    const double wave_speed = std::sqrt(modulus_[c] / (density * settings_.mass_scaling));
+    out.time_step = settings_.courant * smallest_extent(s) / wave_speed;
+  }
+  if (settings_.partial_cells) add_surface_loads(c, out);
+}
+
+// A traction at the soil's top rides on the topmost material points.
+void Model::add_surface_loads(std::int32_t c, CellForces& forces) const {
+  for (std::int32_t m = 0; m < material_count; ++m) {
+    const Bucket& bucket = points_.bucket(c * material_count + m);
+    const PointFields p = points_.fields(bucket);
+    for (std::int32_t i = 0; i < bucket.count; ++i) {
+      if (p.load[i] == 0.0) continue;
+      for (int k = 0; k < 4; ++k)
+        forces.f_z[k] -= p.load[i] * 0.25 * (1.0 + corner_xi[k] * p.xi[i]) * (1.0 + corner_eta[k] * p.eta[i]);
+    }
+  }
+}
+
+void Model::assemble_node(std::int32_t n) {
+  const NodeCells& around = mesh_.node_cells()[n];
+  double inertia = 0.0, mass = 0.0, p_r = 0.0, p_z = 0.0, f_r = 0.0, f_z = 0.0;
+  for (int i = 0; i < 4 && around.cell[i] >= 0; ++i) {
+    const CellForces& forces = forces_[around.cell[i]];
+    const CellSums& sums = sums_[around.cell[i]];
+    const std::int32_t k = around.corner[i];
+    inertia += forces.inertia[k];
+    f_r += forces.f_r[k];
+    f_z += forces.f_z[k];
+    mass += sums.mass[k];
+    p_r += sums.p_r[k];
+    p_z += sums.p_z[k];
+  }
+  nodes_.inertia[n] = inertia;
+  nodes_.mass[n] = mass;
+  nodes_.f_r[n] = f_r;
+  nodes_.f_z[n] = f_z;
+  p_r_[n] = p_r;
+  p_z_[n] = p_z;
+}
+
+// What gathers at a hanging node belongs to its two neighbours.
+void Model::condense_hanging_nodes() {
+  for (const HangingNode& h : mesh_.hanging_nodes()) {
+    const double upper = mesh_.hanging_weight(h), lower = 1.0 - upper;
+    for (auto* field : {&nodes_.inertia, &nodes_.mass, &nodes_.f_r, &nodes_.f_z, &p_r_, &p_z_}) {
+      const double value = (*field)[h.node];
+      (*field)[h.lower] += lower * value;
+      (*field)[h.upper] += upper * value;
+      (*field)[h.node] = 0.0;
+    }
+  }
+}
+
+void Model::interpolate_hanging_nodes() {
+  for (const HangingNode& h : mesh_.hanging_nodes()) {
+    const double upper = mesh_.hanging_weight(h), lower = 1.0 - upper;
+    for (auto* field : {&nodes_.v_r, &nodes_.v_z, &nodes_.dv_r, &nodes_.dv_z})
+      (*field)[h.node] = lower * (*field)[h.lower] + upper * (*field)[h.upper];
+  }
+}
+
+void Model::accelerate(double dt) {
+  const double damping = settings_.local_damping;
+  for_each_index(mesh_.node_count(), settings_.threads, [&](std::int32_t n) {
+    double f_r = nodes_.f_r[n], f_z = nodes_.f_z[n];
+    if (damping > 0.0) {
+      f_r -= damping * std::copysign(std::abs(f_r), nodes_.v_r[n]);
+      f_z -= damping * std::copysign(std::abs(f_z), nodes_.v_z[n]);
+    }
+    const double factor = nodes_.inertia[n] > 0.0 ? dt / nodes_.inertia[n] : 0.0;
+    nodes_.dv_r[n] = f_r * factor;
+    nodes_.dv_z[n] = f_z * factor;
+    nodes_.v_r[n] += nodes_.dv_r[n];
+    nodes_.v_z[n] += nodes_.dv_z[n];
+  });
+}
+
+void Model::set_velocity(std::int32_t node, double v_r, double v_z) {
+  nodes_.dv_r[node] += v_r - nodes_.v_r[node];
+  nodes_.dv_z[node] += v_z - nodes_.v_z[node];
+  nodes_.v_r[node] = v_r;
+  nodes_.v_z[node] = v_z;
+}
+
+void Model::move_points(double dt) {
+  interpolate_hanging_nodes();
+#pragma omp parallel for schedule(static, 1) num_threads(settings_.threads) if (settings_.threads > 1)
+  for (int t = 0; t < settings_.threads; ++t) {
+    leavers_[t].clear();
+    for (std::int32_t c = split_[t]; c < split_[t + 1]; ++c) {
+      const Cell& cell = mesh_.cells()[c];
+      move_cell(c, dt, t, cell, mesh_.shape(cell));
+    }
+  }
+  rehome_leavers();
+}
+
+void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, const CellShape& new_shape) {
+  CellSums& sums = sums_[c];
+  const CellForces& forces = forces_[c];
+  int materials = 0;
+  for (const double mass : sums.material_mass) materials += mass > 0.0 ? 1 : 0;
+  std::memset(&sums, 0, sizeof(CellSums));
+  modulus_[c] = 0.0;
+  if (materials == 0) {
+    shapes_[c] = new_shape;
+    return;
+  }
+
+  const auto field = [&](const std::vector<double>& values) {
+    return bilinear(values[cell.node[0]], values[cell.node[1]], values[cell.node[2]], values[cell.node[3]]);
+  };
+  CellMotion motion;
+  motion.shape = shapes_[c];
+  motion.v_r = field(nodes_.v_r);
+  motion.v_z = field(nodes_.v_z);
+  motion.dv_r = field(nodes_.dv_r);
+  motion.dv_z = field(nodes_.dv_z);
+  motion.divergence = 0.0;
+  for (int k = 0; k < 4; ++k)
+    motion.divergence +=
+        forces.mean_r[k] * nodes_.v_r[cell.node[k]] + forces.mean_z[k] * nodes_.v_z[cell.node[k]];
+  motion.dt = dt;
+  motion.pic_fraction = settings_.pic_fraction;
+  // Across materials the averages would mix their stresses, which is unstable.
+  motion.smoothing = materials == 1 ? settings_.stress_smoothing : 0.0;
+  if (motion.smoothing > 0.0)
+    for (int q = 0; q < 4; ++q) std::copy_n(mean_stress_[c][q].begin(), 4, motion.mean_stress[q]);
+
+  const StrainScratch strain = scratch(thread);
+  for (std::int32_t m = 0; m < material_count; ++m) {
+    const std::int32_t b = c * material_count + m;
+    const Bucket& bucket = points_.bucket(b);
+    if (bucket.count == 0) continue;
+    const PointFields p = points_.fields(bucket);
+    const std::size_t padded = bucket.padded();
+    double work = kernels_.move_points(bucket.count, padded, p, motion, strain);
+    const Batch batch{padded, p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,     p.e,
+                      p.p_i,  strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz};
+    modulus_[c] = std::max(modulus_[c], laws_.update(static_cast<Material>(m), batch));
+    std::int32_t left = 0;
+    work += kernels_.sum_points(bucket.count, padded, p, new_shape, cell, strain, static_cast<Material>(m),
+                                sums, left);
+    work_[c] += work;
+    if (left > 0)
+      for (std::int32_t k = bucket.count; k-- > 0;)
+        if (strain.left[k] > 0.0) leavers_[thread].push_back({b, k});
+  }
+  shapes_[c] = new_shape;
+}
+
+// Points that left their cell find their new one, in the order of cells: the same for any number of threads.
+void Model::rehome_leavers() {
+  bool grew = false;
+  for (const auto& list : leavers_)
+    for (const Leaver& leaver : list) {
+      const PointFields p = points_.fields(points_.bucket(leaver.bucket));
+      const Location at = mesh_.locate(p.r[leaver.slot], p.z[leaver.slot]);
+      p.xi[leaver.slot] = at.xi;
+      p.eta[leaver.slot] = at.eta;
+      const std::int32_t material = leaver.bucket % material_count;
+      const std::int32_t to = at.cell * material_count + material;
+      std::int32_t k = leaver.slot;
+      const double modulus = modulus_[leaver.bucket / material_count];
+      if (to != leaver.bucket) {
+        const std::size_t slots = points_.slots();
+        points_.move(leaver.bucket, leaver.slot, to);
+        grew |= slots != points_.slots();
+        k = points_.bucket(to).count - 1;
+      }
+      add_to_sums(sums_[at.cell], points_.fields(points_.bucket(to)), static_cast<std::size_t>(k),
+                  static_cast<Material>(material));
+      modulus_[at.cell] = std::max(modulus_[at.cell], modulus);
+    }
+  if (grew) split_cells();
+}
+
+int Model::empty_cells() const {
+  int count = 0;
+  for (std::size_t c = 0; c < sums_.size(); ++c) {
+    const CellSums& s = sums_[c];
+    if (filled_at_start_[c] && s.volume[0] + s.volume[1] + s.volume[2] + s.volume[3] <= 0.0) ++count;
+  }
+  return count;
+}
+
+double Model::internal_work() const {
+  double work = 0.0;
+  for (const double w : work_) work += w;
+  return work;
+}
+
+}  // namespace cpt::solver

@@ -1,0 +1,128 @@
+// The discrete model between two steps: mesh, material points, cell sums and nodal fields, and the three
+// stages that connect them. Boundary conditions and contact act on the nodal fields between `accelerate` and
+// `move_points`.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "solver/constitutive/linear_elastic.hpp"
+#include "solver/constitutive/norsand.hpp"
+#include "solver/constitutive/tresca.hpp"
+#include "solver/material_points.hpp"
+#include "solver/mesh.hpp"
+#include "solver/transfer.hpp"
+
+namespace cpt::solver {
+
+/// The constitutive law of each material.
+struct Laws {
+  std::optional<NorSand> sand;
+  std::optional<Tresca> clay;
+  std::optional<LinearElastic> surcharge;
+
+  /// Updates a bucket and returns its largest P-wave modulus [Pa].
+  double update(Material material, const Batch& batch) const;
+};
+
+/// Settings of the time integration that the stages need.
+struct ModelSettings {
+  double courant = 0.8;
+  double mass_scaling = 1.0;
+  double pic_fraction = 0.0;
+  double local_damping = 0.0;
+  double stress_smoothing = 0.0;
+  double weight_ratio[material_count] = {1.0, 1.0, 1.0};  // [-] effective over total unit weight
+  double gravity = 9.81;                                  // [m/s2]
+  bool partial_cells =
+      false;  // scale a cell by how far its points fill it (a free soil surface inside the mesh)
+  int threads = 1;
+};
+
+/// Nodal fields, one entry a node.
+struct Nodes {
+  std::vector<double> inertia;  // [kg/rad] mass times mass scaling, consistent with the Gauss integration
+  std::vector<double> mass;     // [kg/rad] sum of N m over material points
+  std::vector<double> v_r,
+      v_z;  // [m/s] velocity: before `accelerate` at the start, then at the end of the step
+  std::vector<double> dv_r, dv_z;  // [m/s] change over the step
+  std::vector<double> f_r, f_z;    // [N/rad] internal and body forces
+};
+
+class Model {
+ public:
+  Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std::int32_t>& material_of, Laws laws,
+        const ModelSettings& settings);
+
+  /// Stage 1: stresses and weights to nodal forces; masses and velocities to nodes.
+  void compute_nodal_forces();
+  /// Largest stable time step [s] times the Courant number, from the stiffness of the last stress update.
+  [[nodiscard]] double stable_time_step() const { return time_step_; }
+  /// Stage 2: free acceleration of all nodes, without boundaries.
+  void accelerate(double dt);
+  /// Sets the velocity at the end of the step of a node; used by boundaries and contact.
+  void set_velocity(std::int32_t node, double v_r, double v_z);
+  /// Stage 3: nodes to points, stress update, points back to the cells of the mesh, which the caller has
+  /// moved to its position at the end of the step.
+  void move_points(double dt);
+
+  [[nodiscard]] Mesh& mesh() { return mesh_; }
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const MaterialPoints& points() const { return points_; }
+  [[nodiscard]] Nodes& nodes() { return nodes_; }
+  [[nodiscard]] const Nodes& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<CellSums>& sums() const { return sums_; }
+  [[nodiscard]] const ModelSettings& settings() const { return settings_; }
+
+  /// Cells without material points in the region that the points fill at the start [-].
+  [[nodiscard]] int empty_cells() const;
+  /// Work done by the stresses on the points so far [J/rad].
+  [[nodiscard]] double internal_work() const;
+
+ private:
+  struct CellForces {
+    double f_r[4], f_z[4], inertia[4];
+    double mean_r[4], mean_z[4];  // [1/m] cell means of N,r + N/r and N,z
+    double time_step;
+  };
+  struct Leaver {
+    std::int32_t bucket, slot;
+  };
+
+  void compute_cell_forces(std::int32_t c);
+  void add_surface_loads(std::int32_t c, CellForces& forces) const;
+  void assemble_node(std::int32_t n);
+  void condense_hanging_nodes();
+  void interpolate_hanging_nodes();
+  void move_cell(std::int32_t c, double dt, int thread, const Cell& cell, const CellShape& new_shape);
+  void sum_all_points();
+  void rehome_leavers();
+  void split_cells();
+  [[nodiscard]] StrainScratch scratch(int thread);
+
+  Mesh mesh_;
+  MaterialPoints points_;
+  Laws laws_;
+  ModelSettings settings_;
+  const TransferKernels& kernels_;
+
+  std::vector<CellSums> sums_;
+  std::vector<CellForces> forces_;
+  std::vector<CellShape> shapes_;
+  std::vector<double> modulus_;                                    // [Pa] largest P-wave modulus in a cell
+  std::vector<double> work_;                                       // [J/rad] by cell
+  std::vector<std::array<std::array<double, 4>, 4>> mean_stress_;  // only with stress smoothing
+  std::vector<char> filled_at_start_;
+  Nodes nodes_;
+  std::vector<double> p_r_, p_z_;  // [kg m/s/rad] nodal momentum of the points
+  double time_step_ = 0.0;
+
+  std::vector<std::int32_t> split_;  // first cell of each thread
+  std::vector<std::vector<Leaver>> leavers_;
+  std::vector<double> scratch_;
+  std::size_t scratch_stride_ = 0;
+};
+
+}  // namespace cpt::solver

@@ -1,0 +1,337 @@
+#include "solver/quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <type_traits>
+
+namespace cpt::solver {
+namespace {
+
+struct Unit {
+  std::string_view text;
+  double scale;
+};
+constexpr Unit none{"-", 1.0};
+constexpr Unit percent{"%", 0.01};
+constexpr Unit degrees{"deg", std::numbers::pi / 180.0};
+constexpr Unit kilopascals{"kPa", 1.0e3};
+constexpr Unit metres{"m", 1.0};
+constexpr Unit metres_per_second{"m/s", 1.0};
+constexpr Unit kilograms_per_cubic_metre{"kg/m3", 1.0};
+
+constexpr std::optional<Soil> sand_only = Soil::sand;
+constexpr std::optional<Soil> clay_only = Soil::clay;
+constexpr std::optional<Soil> any_soil = std::nullopt;
+
+template <class Group, class Field>
+Field field_type(Field Group::*);
+
+template <auto Group, auto Member>
+double get_field(const Setup& setup) {
+  return static_cast<double>(setup.*Group.*Member);
+}
+
+template <auto Group, auto Member>
+void set_field(Setup& setup, double value) {
+  using Field = decltype(field_type(Member));
+  if constexpr (std::is_same_v<Field, double>)
+    setup.*Group.*Member = value;
+  else
+    setup.*Group.*Member = static_cast<Field>(std::lround(value));
+}
+
+template <auto Group, auto Member>
+Quantity number(std::string_view name, std::string_view symbol, Unit unit, double min, double max,
+                std::optional<Soil> soil, std::string_view meaning, std::string_view source) {
+  constexpr bool integer = std::is_integral_v<decltype(field_type(Member))>;
+  return {name,
+          symbol,
+          unit.text,
+          unit.scale,
+          min,
+          max,
+          {},
+          integer,
+          soil,
+          meaning,
+          source,
+          get_field<Group, Member>,
+          set_field<Group, Member>};
+}
+
+template <auto Group, auto Member>
+Quantity choice(std::string_view name, std::string_view symbol, std::vector<std::string_view> choices,
+                std::optional<Soil> soil, std::string_view meaning, std::string_view source) {
+  const double last = static_cast<double>(choices.size() - 1);
+  return {name,
+          symbol,
+          none.text,
+          none.scale,
+          0.0,
+          last,
+          std::move(choices),
+          false,
+          soil,
+          meaning,
+          source,
+          get_field<Group, Member>,
+          set_field<Group, Member>};
+}
+
+// The last layer follows the height of the soil, so that a homogeneous profile stays one layer.
+void set_soil_height(Setup& setup, double value) {
+  setup.chamber.soil_height = value;
+  if (!setup.layers.empty()) setup.layers.back().bottom = value;
+}
+
+constexpr std::string_view table_1 = "Yost et al. (2023), Table 1";
+constexpr std::string_view table_2 = "Yost et al. (2023), Table 2";
+constexpr std::string_view table_3 = "Yost et al. (2023), Table 3";
+constexpr std::string_view chamber_tests = "Yost et al. (2023), section 3; De Lange (2018)";
+constexpr std::string_view paper_model = "Yost et al. (2023), section 4.1";
+constexpr std::string_view norsand_book = "Jefferies & Been (2015)";
+constexpr std::string_view numerical = "numerical setting";
+
+std::vector<Quantity> sand_quantities() {
+  constexpr auto group = &Setup::sand;
+  auto flow = choice<group, &Sand::flow>("sand.flow", "flow rule", {"radial", "associated"}, sand_only,
+                                         "direction of deviatoric plastic flow", norsand_book);
+  return {
+      number<group, &Sand::e_cs0>("sand.e_cs0", "e_cs,0", none, 0.5, 1.5, sand_only,
+                                  "critical state void ratio at p' = 0", table_2),
+      number<group, &Sand::lambda>("sand.lambda", "λ", none, 0.001, 0.1, sand_only,
+                                   "slope of the critical state line", table_2),
+      number<group, &Sand::m>("sand.m", "m", none, 0.2, 1.5, sand_only, "exponent of the critical state line",
+                              table_2),
+      number<group, &Sand::G_ref>("sand.G_ref", "G_ref", none, 50.0, 5000.0, sand_only,
+                                  "shear modulus factor", table_2),
+      number<group, &Sand::b>("sand.b", "b", none, 0.0, 1.0, sand_only, "exponent of the stiffness relation",
+                              table_2),
+      number<group, &Sand::e_min_star>("sand.e_min_star", "e*ₘᵢₙ", none, 0.0, 0.5, sand_only,
+                                       "void ratio at which volumetric strains are negligible", table_2),
+      number<group, &Sand::phi_cs>("sand.phi_cs_deg", "φ_cs", degrees, 20.0, 45.0, sand_only,
+                                   "critical state friction angle", table_2),
+      number<group, &Sand::N>("sand.N", "N", none, 0.0, 0.6, sand_only,
+                              "dilatancy (volumetric coupling) parameter", table_2),
+      number<group, &Sand::chi_tc>("sand.chi_tc", "χ", none, 0.5, 8.0, sand_only,
+                                   "dilatancy coefficient in triaxial compression", table_2),
+      number<group, &Sand::nu>("sand.nu", "ν", none, 0.0, 0.45, sand_only, "Poisson's ratio of the sand",
+                               table_2),
+      number<group, &Sand::H>("sand.H", "H", none, 1.0, 2000.0, sand_only, "hardening modulus", table_2),
+      number<group, &Sand::D_r>("sand.D_r_percent", "Dᵣ", percent, 1.0, 100.0, sand_only, "relative density",
+                                "Yost et al. (2023), sections 3.3 and 5"),
+      number<group, &Sand::e_min>("sand.e_min", "eₘᵢₙ", none, 0.2, 1.2, sand_only, "minimum void ratio",
+                                  table_1),
+      number<group, &Sand::e_max>("sand.e_max", "eₘₐₓ", none, 0.3, 2.0, sand_only, "maximum void ratio",
+                                  table_1),
+      number<group, &Sand::rho_grains>("sand.rho_grains_kg_per_m3", "ρₛ", kilograms_per_cubic_metre, 2000.0,
+                                       3500.0, sand_only, "density of the sand's grains", table_1),
+      number<group, &Sand::OCR>("sand.OCR", "OCR", none, 1.0, 20.0, sand_only,
+                                "initial p_i over that of the yield surface through the initial stress",
+                                norsand_book),
+      number<group, &Sand::cap_ratio>("sand.cap_ratio", "cap", none, 1.0, 10.0, sand_only,
+                                      "inner cap: largest p_i over its limit at maximum dilatancy",
+                                      norsand_book),
+      number<group, &Sand::hardening_exponent>("sand.hardening_exponent", "n_H", none, 0.0, 2.0, sand_only,
+                                               "exponent of p / p_i in the hardening rule", norsand_book),
+      number<group, &Sand::p_min>("sand.p_min_kPa", "pₘᵢₙ", kilopascals, 0.01, 5.0, sand_only,
+                                  "mean stress below which the sand carries none", numerical),
+      std::move(flow),
+      number<group, &Sand::substep_tolerance>(
+          "sand.substep_tolerance", "tol", none, 1.0e-9, 1.0e-2, sand_only,
+          "relative error of stress and p_i allowed in one sub-step", numerical),
+  };
+}
+
+std::vector<Quantity> clay_quantities() {
+  constexpr auto group = &Setup::clay;
+  return {
+      number<group, &Clay::n_0>("clay.n_0", "n₀", none, 0.1, 0.8, clay_only, "initial porosity of the clay",
+                                table_3),
+      number<group, &Clay::s_u>("clay.s_u_kPa", "sᵤ", kilopascals, 1.0, 1000.0, clay_only,
+                                "undrained shear strength", table_3),
+      number<group, &Clay::G>("clay.G_kPa", "G", kilopascals, 10.0, 1.0e5, clay_only,
+                              "shear modulus of the clay", table_3),
+      number<group, &Clay::nu>("clay.nu", "νᵤ", none, 0.3, 0.4999, clay_only,
+                               "undrained Poisson's ratio of the clay", "Yost et al. (2023), section 4.3"),
+      number<group, &Clay::rho_grains>("clay.rho_grains_kg_per_m3", "ρₛ,clay", kilograms_per_cubic_metre,
+                                       2000.0, 3500.0, clay_only, "density of the clay's grains",
+                                       "typical of clay minerals; not given by Yost et al. (2023)"),
+  };
+}
+
+std::vector<Quantity> boundary_quantities() {
+  constexpr auto contact = &Setup::contact;
+  constexpr auto chamber = &Setup::chamber;
+  constexpr auto initial = &Setup::initial;
+  auto soil_height =
+      number<chamber, &Chamber::soil_height>("chamber.soil_height_m", "h_soil", metres, 0.2, 3.0, any_soil,
+                                             "height of the soil; the last layer follows it", paper_model);
+  soil_height.set = set_soil_height;
+  return {
+      number<contact, &Contact::friction_ratio>(
+          "contact.friction_ratio", "φ_cont/φ_cs", none, 0.0, 1.0, sand_only,
+          "contact friction angle of cone and sand over phi_cs",
+          "Yost et al. (2023), section 4.4; Durgunoglu & Mitchell (1973)"),
+      number<contact, &Contact::adhesion_ratio>("contact.adhesion_ratio", "a/sᵤ", none, 0.0, 1.0, clay_only,
+                                                "contact adhesion of cone and clay over s_u",
+                                                "Yost et al. (2023), section 4.4; Potyondy (1961)"),
+      choice<contact, &Contact::shoulder_normal>(
+          "contact.shoulder_normal", "shoulder normal", {"shaft", "bisector", "face"}, any_soil,
+          "contact normal of the node on the cone's shoulder", numerical),
+      number<chamber, &Chamber::radius>("chamber.radius_m", "R", metres, 0.1, 5.0, any_soil,
+                                        "inner radius of the chamber", chamber_tests),
+      std::move(soil_height),
+      choice<chamber, &Chamber::wall>("chamber.wall", "wall", {"flexible", "rigid"}, any_soil,
+                                      "radial boundary: constant radial stress, or no radial movement",
+                                      paper_model),
+      choice<chamber, &Chamber::surcharge>("chamber.surcharge", "surcharge", {"traction", "layer"}, any_soil,
+                                           "how sigma_v0 is applied at the soil's top", paper_model),
+      number<chamber, &Chamber::surcharge_height>("chamber.surcharge_height_m", "h_sur", metres, 0.1, 3.0,
+                                                  any_soil, "height of the surcharge layer", paper_model),
+      number<chamber, &Chamber::surcharge_E>("chamber.surcharge_E_kPa", "E_sur", kilopascals, 10.0, 1.0e5,
+                                             any_soil, "Young's modulus of the surcharge layer", numerical),
+      number<chamber, &Chamber::surcharge_nu>("chamber.surcharge_nu", "ν_sur", none, 0.0, 0.45, any_soil,
+                                              "Poisson's ratio of the surcharge layer", numerical),
+      number<initial, &InitialStress::sigma_v0>("initial.sigma_v0_kPa", "σ'ᵥ₀", kilopascals, 1.0, 2000.0,
+                                                any_soil, "vertical effective stress at the soil's top",
+                                                chamber_tests),
+      number<initial, &InitialStress::sigma_h0>("initial.sigma_h0_kPa", "σ'ₕ₀", kilopascals, 0.5, 4000.0,
+                                                any_soil, "horizontal effective stress at the soil's top",
+                                                chamber_tests),
+      choice<initial, &InitialStress::self_weight>(
+          "initial.self_weight", "self-weight", {"none", "submerged", "saturated"}, any_soil,
+          "unit weight that raises the stress with depth", paper_model),
+  };
+}
+
+std::vector<Quantity> penetrometer_quantities() {
+  constexpr auto group = &Setup::penetrometer;
+  return {
+      number<group, &Penetrometer::diameter>("penetrometer.diameter_m", "d", metres, 0.005, 0.1, any_soil,
+                                             "diameter of the penetrometer", chamber_tests),
+      number<group, &Penetrometer::apex>("penetrometer.apex_deg", "α", degrees, 30.0, 120.0, any_soil,
+                                         "apex angle of the cone", chamber_tests),
+      number<group, &Penetrometer::speed>("penetrometer.speed_m_per_s", "v", metres_per_second, 0.001, 0.5,
+                                          any_soil, "speed of the push", paper_model),
+      number<group, &Penetrometer::sleeve_length>(
+          "penetrometer.sleeve_length_m", "l_sleeve", metres, 0.005, 0.5, any_soil,
+          "length of the friction sleeve above the shoulder", "ISO 22476-1, scaled to the cone's diameter"),
+      number<group, &Penetrometer::final_depth>("penetrometer.final_depth_m", "z_end", metres, 0.01, 3.0,
+                                                any_soil, "depth of the tip at the end of the push",
+                                                chamber_tests),
+  };
+}
+
+std::vector<Quantity> numerics_quantities() {
+  constexpr auto group = &Setup::numerics;
+  return {
+      number<group, &Numerics::face_elements>("numerics.face_elements", "n_face", none, 1.0, 16.0, any_soil,
+                                              "elements over the cone's radius", paper_model),
+      number<group, &Numerics::near_height>("numerics.near_height_m", "h_near", metres, 0.0005, 0.05,
+                                            any_soil, "cell height around the tip", paper_model),
+      number<group, &Numerics::near_width_radius>(
+          "numerics.near_width_radius_m", "r_near", metres, 0.005, 5.0, any_soil,
+          "radius up to which columns keep the near width", numerical),
+      number<group, &Numerics::far_width>("numerics.far_width_m", "w_far", metres, 0.002, 0.5, any_soil,
+                                          "column width at the wall", numerical),
+      number<group, &Numerics::coarse_rows_radius>(
+          "numerics.coarse_rows_radius_m", "r_coarse", metres, 0.01, 5.0, any_soil,
+          "radius beyond which rows are joined two by two", numerical),
+      number<group, &Numerics::zone_below>("numerics.zone_below_m", "h_below", metres, 0.02, 1.0, any_soil,
+                                           "extent of the moving zone below the tip", numerical),
+      number<group, &Numerics::zone_above>("numerics.zone_above_m", "h_above", metres, 0.02, 1.0, any_soil,
+                                           "extent of the moving zone above the shoulder", numerical),
+      number<group, &Numerics::below_height>("numerics.below_height_m", "Δz_below", metres, 0.001, 0.2,
+                                             any_soil, "row height of the compressing zone at the start",
+                                             numerical),
+      number<group, &Numerics::above_height>("numerics.above_height_m", "Δz_above", metres, 0.001, 0.2,
+                                             any_soil, "row height of the stretching zone at the start",
+                                             numerical),
+      number<group, &Numerics::point_shift>("numerics.point_shift", "shift", none, -0.5, 0.5, any_soil,
+                                            "shift of the grid of material points over their spacing",
+                                            numerical),
+      number<group, &Numerics::courant>("numerics.courant", "Co", none, 0.05, 0.98, any_soil,
+                                        "Courant number",
+                                        "stable at 0.8; 0.95 in Yost et al. (2023), section 4.1"),
+      number<group, &Numerics::mass_scaling>("numerics.mass_scaling", "f_mass", none, 1.0, 1.0e6, any_soil,
+                                             "factor on the inertia, not on the weight", paper_model),
+      number<group, &Numerics::pic_fraction>("numerics.pic_fraction", "PIC", none, 0.0, 1.0, any_soil,
+                                             "share of PIC in the velocity update; 0 is FLIP", numerical),
+      number<group, &Numerics::local_damping>("numerics.local_damping", "α_damp", none, 0.0, 0.9, any_soil,
+                                              "local damping over the out-of-balance force", numerical),
+      number<group, &Numerics::stress_smoothing>(
+          "numerics.stress_smoothing", "β", none, 0.0, 1.0, any_soil,
+          "share of the quadrant's average stress given back to its points", numerical),
+      number<group, &Numerics::bin_height>("numerics.bin_height_m", "Δz_bin", metres, 1.0e-5, 0.05, any_soil,
+                                           "depth over which q_c and f_s are averaged in the recording",
+                                           numerical),
+  };
+}
+
+std::vector<Quantity> make_list() {
+  std::vector<Quantity> list;
+  for (auto part :
+       {sand_quantities, clay_quantities, boundary_quantities, penetrometer_quantities, numerics_quantities})
+    for (Quantity& quantity : part()) list.push_back(std::move(quantity));
+  return list;
+}
+
+}  // namespace
+
+std::span<const Quantity> all_quantities() {
+  static const std::vector<Quantity> list = make_list();
+  return list;
+}
+
+const Quantity* find_quantity(std::string_view name) {
+  for (const Quantity& quantity : all_quantities())
+    if (quantity.name == name) return &quantity;
+  return nullptr;
+}
+
+double Quantity::value(const Setup& setup) const {
+  // Dividing by the scale gives 28.999999999999996 % for 0.29: take the shortest number that comes back
+  // exactly.
+  const double si = get(setup);
+  const double quotient = si / scale;
+  if (!std::isfinite(quotient)) return quotient;
+  for (int digits = 1; digits <= 17; ++digits) {
+    const double candidate = std::strtod(fmt::format("{:.{}g}", quotient, digits).c_str(), nullptr);
+    if (candidate * scale == si) return candidate;
+  }
+  for (const double candidate : {std::nextafter(quotient, HUGE_VAL), std::nextafter(quotient, -HUGE_VAL)})
+    if (candidate * scale == si) return candidate;
+  return quotient;
+}
+
+std::string Quantity::format(double study_value) const {
+  if (choices.empty()) return fmt::format("{}", study_value);
+  const auto index = static_cast<std::size_t>(std::lround(study_value));
+  return index < choices.size() ? std::string(choices[index]) : fmt::format("choice {}", study_value);
+}
+
+std::string canonical_text(const Setup& setup) {
+  std::string text;
+  for (const Quantity& quantity : all_quantities()) {
+    const double value = quantity.value(setup);
+    text += fmt::format("{} = {}", quantity.name, quantity.format(value));
+    const double si = quantity.get(setup);
+    if (value * quantity.scale != si)
+      text += fmt::format(" (SI {})", si);  // no study value is exactly this one
+    text += '\n';
+  }
+  for (const Layer& layer : setup.layers)
+    text += fmt::format("layers = {} to {} {}\n", layer.top, layer.bottom,
+                        layer.soil == Soil::sand ? "sand" : "clay");
+  for (const PointZone& zone : setup.numerics.zones)
+    text += fmt::format("numerics.zones = to {} columns {} rows_per_metre {}\n", zone.outer_radius,
+                        zone.columns, zone.rows_per_metre);
+  return text;
+}
+
+}  // namespace cpt::solver

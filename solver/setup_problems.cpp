@@ -1,0 +1,225 @@
+// What is wrong with a setup as a whole. Messages name every quantity involved by its dotted name.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/constitutive/critical_state_line.hpp"
+#include "solver/constitutive/norsand.hpp"
+#include "solver/initial_state.hpp"
+#include "solver/quantities.hpp"
+
+namespace cpt::solver {
+namespace {
+
+constexpr double touching = 1.0e-9;        // [m] interfaces closer than this are the same
+constexpr int max_zone_columns = 5000;     // [-]
+constexpr double max_zone_rows = 20000.0;  // [1/m]
+
+class Check {
+ public:
+  explicit Check(const Setup& setup) : setup_(setup) {}
+
+  std::vector<Problem> run() {
+    values();
+    if (!problems_.empty()) return problems_;  // the rest is meaningless with values out of range
+    layers();
+    const bool sound_layers = problems_.empty();
+    if (contains(setup_, Soil::sand)) sand();
+    if (contains(setup_, Soil::clay) && sound_layers) clay();
+    geometry();
+    if (zones()) cells();
+    return problems_;
+  }
+
+ private:
+  void add(std::string_view quantity, std::string message) {
+    problems_.push_back({std::string(quantity), std::move(message)});
+  }
+
+  // "sand.e_min = 0.552"
+  [[nodiscard]] std::string given(std::string_view name) const {
+    const Quantity* quantity = find_quantity(name);
+    return fmt::format("{} = {}", name, quantity->format(quantity->value(setup_)));
+  }
+
+  void values();
+  void layers();
+  void sand();
+  void clay();
+  void geometry();
+  bool zones();
+  void cells();
+
+  [[nodiscard]] double face_height() const {
+    return setup_.penetrometer.diameter / 2.0 / std::tan(setup_.penetrometer.apex / 2.0);
+  }
+
+  const Setup& setup_;
+  std::vector<Problem> problems_;
+};
+
+void Check::values() {
+  for (const Quantity& quantity : all_quantities()) {
+    const double value = quantity.value(setup_);
+    if (value >= quantity.min && value <= quantity.max) continue;
+    add(quantity.name, fmt::format("{} is outside {} to {} {}", given(quantity.name), quantity.min,
+                                   quantity.max, quantity.unit));
+  }
+}
+
+void Check::layers() {
+  const double bottom = setup_.chamber.soil_height;
+  if (setup_.layers.empty()) return add("layers", "there is no layer");
+  double reached = 0.0;
+  for (const Layer& layer : setup_.layers) {
+    if (!(std::abs(layer.top - reached) <= touching))
+      return add("layers",
+                 fmt::format("a layer starts at {} m, but the one above it (or the soil's top) ends at {} m: "
+                             "layers touch without gaps or overlaps",
+                             layer.top, reached));
+    if (!(layer.bottom > layer.top + touching))
+      return add("layers",
+                 fmt::format("the layer from {} m to {} m has no thickness", layer.top, layer.bottom));
+    reached = layer.bottom;
+  }
+  if (std::abs(reached - bottom) > touching)
+    add("layers", fmt::format("the layers end at {} m, but {}", reached, given("chamber.soil_height_m")));
+}
+
+void Check::sand() {
+  const Sand& sand = setup_.sand;
+  if (sand.e_min >= sand.e_max)
+    return add("sand.e_min", fmt::format("{} must be below {}", given("sand.e_min"), given("sand.e_max")));
+  const double e = bulk(setup_, Soil::sand).e;
+  if (e <= sand.e_min_star)
+    return add("sand.e_min_star", fmt::format("{} must be below the initial void ratio {:.4f} at {}",
+                                              given("sand.e_min_star"), e, given("sand.D_r_percent")));
+
+  const double sigma_v = setup_.initial.sigma_v0, sigma_h = setup_.initial.sigma_h0;
+  const double p = (sigma_v + 2.0 * sigma_h) / 3.0;
+  if (p <= sand.p_min)
+    return add("sand.p_min_kPa",
+               fmt::format("{} must be below the initial mean stress {:.4g} kPa of {} and {}",
+                           given("sand.p_min_kPa"), p / 1e3, given("initial.sigma_v0_kPa"),
+                           given("initial.sigma_h0_kPa")));
+  const double e_c = CriticalStateLine(sand).void_ratio(p);
+  if (e_c <= sand.e_min_star)
+    return add("sand.e_cs0",
+               fmt::format("the critical state void ratio at the initial stress is {:.4f} with {}, {} and "
+                           "{}: it must exceed {}",
+                           e_c, given("sand.e_cs0"), given("sand.lambda"), given("sand.m"),
+                           given("sand.e_min_star")));
+
+  // NorSand's largest image pressure at this density bounds the stress ratio, Jefferies & Been (2015).
+  const NorSand law(sand);
+  const double p_i = law.initial_image_pressure(-sigma_h, -sigma_v, -sigma_h, 0.0, e) / sand.OCR;
+  const NorSandState state = law.evaluate({-sigma_h, -sigma_v, -sigma_h, 0.0}, e, p_i);
+  if (!(p_i < state.p_mx))
+    add("initial.sigma_h0_kPa",
+        fmt::format(
+            "{} and {} (K_0 = {:.3g}) make a stress ratio q/p' of {:.3g}, but this sand bears at most {:.3g} "
+            "(state parameter {:+.3f} at {}, {}, {})",
+            given("initial.sigma_h0_kPa"), given("initial.sigma_v0_kPa"), sigma_h / sigma_v,
+            state.q / state.p, std::max(0.0, state.M_i * (1.0 + std::log(state.p_mx / state.p))), state.psi,
+            given("sand.D_r_percent"), given("sand.phi_cs_deg"), given("sand.chi_tc")));
+}
+
+void Check::clay() {
+  const double K_0 = setup_.initial.sigma_h0 / setup_.initial.sigma_v0;
+  for (const Layer& layer : setup_.layers) {
+    if (layer.soil != Soil::clay) continue;
+    const double q = std::abs(1.0 - K_0) * vertical_stress(setup_, -layer.bottom);
+    if (q <= 2.0 * setup_.clay.s_u) continue;
+    add("initial.sigma_h0_kPa", fmt::format("{} and {} (K_0 = {:.3g}) make a stress difference of {:.3g} kPa "
+                                            "at {} m, but Tresca bears at most "
+                                            "2 s_u, and {}",
+                                            given("initial.sigma_h0_kPa"), given("initial.sigma_v0_kPa"), K_0,
+                                            q / 1e3, layer.bottom, given("clay.s_u_kPa")));
+    return;
+  }
+}
+
+void Check::geometry() {
+  const Penetrometer& penetrometer = setup_.penetrometer;
+  const Numerics& numerics = setup_.numerics;
+  if (setup_.chamber.radius <= 2.0 * penetrometer.diameter)
+    add("chamber.radius_m",
+        fmt::format("{} must exceed twice {}", given("chamber.radius_m"), given("penetrometer.diameter_m")));
+  if (numerics.near_width_radius >= setup_.chamber.radius)
+    add("numerics.near_width_radius_m",
+        fmt::format("{} must be below {}", given("numerics.near_width_radius_m"), given("chamber.radius_m")));
+  if (penetrometer.final_depth <= face_height())
+    add("penetrometer.final_depth_m",
+        fmt::format("{} must exceed {:.4f} m, the depth of the tip at the start (the cone's height)",
+                    given("penetrometer.final_depth_m"), face_height()));
+  if (penetrometer.final_depth + numerics.zone_below + 2.0 * numerics.near_height >
+      setup_.chamber.soil_height)
+    add("penetrometer.final_depth_m",
+        fmt::format("{} and {} leave no room for the compressing mesh above the bottom, {}",
+                    given("penetrometer.final_depth_m"), given("numerics.zone_below_m"),
+                    given("chamber.soil_height_m")));
+}
+
+bool Check::zones() {
+  const std::size_t before = problems_.size();
+  double inner = setup_.penetrometer.diameter / 2.0;
+  if (setup_.numerics.zones.empty()) add("numerics.zones", "there is no zone of material points");
+  for (const PointZone& zone : setup_.numerics.zones) {
+    if (!(zone.outer_radius > inner) || !std::isfinite(zone.outer_radius))
+      add("numerics.zones",
+          fmt::format("the outer radius {} m must exceed {} m, that of the zone inside it or of the "
+                      "penetrometer",
+                      zone.outer_radius, inner));
+    if (zone.columns < 1 || zone.columns > max_zone_columns)
+      add("numerics.zones", fmt::format("{} columns are outside 1 to {}", zone.columns, max_zone_columns));
+    if (!(zone.rows_per_metre >= 1.0 && zone.rows_per_metre <= max_zone_rows))
+      add("numerics.zones",
+          fmt::format("{} rows per metre are outside 1 to {}", zone.rows_per_metre, max_zone_rows));
+    inner = zone.outer_radius;
+  }
+  return problems_.size() == before;
+}
+
+// A cell lower or narrower than the spacing of the material points is sure to be empty at some time, and
+// empty cells ruin a run. A margin of 1.2 is advisable; only the impossible is refused.
+void Check::cells() {
+  const Numerics& numerics = setup_.numerics;
+  const auto refuse_low_rows = [&](std::string_view quantity, double height, std::string_view where) {
+    double inner = 0.0;
+    for (const PointZone& zone : numerics.zones) {
+      if (inner >= setup_.chamber.radius) return;
+      const double cell = inner >= numerics.coarse_rows_radius ? 2.0 * height : height;
+      const double spacing = 1.0 / zone.rows_per_metre;
+      if (cell < spacing)
+        return add(quantity,
+                   fmt::format("with {}, cells {} are {:.2f} mm high in the zone up to {} m, less than the "
+                               "{:.2f} mm between its rows of material points: cells would be empty",
+                               given(quantity), where, cell * 1e3, zone.outer_radius, spacing * 1e3));
+      inner = zone.outer_radius;
+    }
+  };
+  const double start = setup_.chamber.soil_height - face_height() - numerics.zone_below;
+  const double end = setup_.chamber.soil_height - setup_.penetrometer.final_depth - numerics.zone_below;
+  refuse_low_rows("numerics.near_height_m", numerics.near_height, "around the tip");
+  refuse_low_rows("numerics.above_height_m", numerics.above_height, "above the moving zone");
+  if (start > 0.0 && end > 0.0)
+    refuse_low_rows("numerics.below_height_m", numerics.below_height * end / start,
+                    fmt::format("compressed at {}", given("penetrometer.final_depth_m")));
+
+  const PointZone& first = numerics.zones.front();
+  const double near_width = setup_.penetrometer.diameter / 2.0 / numerics.face_elements;
+  const double spacing = first.outer_radius / first.columns;
+  if (near_width < spacing)
+    add("numerics.face_elements",
+        fmt::format("with {}, cells at the cone are {:.2f} mm wide, less than the {:.2f} mm between columns "
+                    "of material "
+                    "points: cells would be empty",
+                    given("numerics.face_elements"), near_width * 1e3, spacing * 1e3));
+}
+
+}  // namespace
+
+std::vector<Problem> problems(const Setup& setup) { return Check(setup).run(); }
+
+}  // namespace cpt::solver

@@ -1,0 +1,170 @@
+#include "solver/simulate.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <exception>
+
+#include "solver/audit.hpp"
+#include "solver/chamber.hpp"
+#include "solver/initial_state.hpp"
+#include "solver/model.hpp"
+#include "solver/penetrometer.hpp"
+#include "solver/quantities.hpp"
+#include "solver/recorder.hpp"
+
+namespace cpt::solver {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int steps_between_checks = 100;
+constexpr int steps_between_clock_looks = 8;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Laws make_laws(const Setup& setup) {
+  Laws laws;
+  if (contains(setup, Soil::sand)) laws.sand.emplace(setup.sand);
+  if (contains(setup, Soil::clay)) laws.clay.emplace(setup.clay);
+  laws.surcharge.emplace(setup.chamber.surcharge_E, setup.chamber.surcharge_nu);
+  return laws;
+}
+
+ModelSettings make_settings(const Setup& setup, int threads) {
+  ModelSettings s;
+  s.courant = setup.numerics.courant;
+  s.mass_scaling = setup.numerics.mass_scaling;
+  s.pic_fraction = setup.numerics.pic_fraction;
+  s.local_damping = setup.numerics.local_damping;
+  s.stress_smoothing = setup.numerics.stress_smoothing;
+  s.weight_ratio[static_cast<int>(Material::sand)] = bulk(setup, Soil::sand).weight_ratio;
+  s.weight_ratio[static_cast<int>(Material::clay)] = bulk(setup, Soil::clay).weight_ratio;
+  s.gravity = gravity;
+  s.partial_cells = setup.chamber.surcharge == SurchargeKind::traction;
+  s.threads = threads;
+  return s;
+}
+
+Model make_model(const Setup& setup, int threads) {
+  Laws laws = make_laws(setup);
+  const InitialState start = initial_state(setup, laws.sand ? &*laws.sand : nullptr);
+  return Model(Mesh(chamber_layout(setup)), start.points, start.material, std::move(laws),
+               make_settings(setup, threads));
+}
+
+Outcome invalid(const std::vector<Problem>& found) {
+  Outcome outcome;
+  outcome.status = Status::invalid_parameters;
+  for (const Problem& problem : found) {
+    if (!outcome.reason.empty()) outcome.reason += "; ";
+    outcome.reason += problem.quantity + ": " + problem.message;
+  }
+  return outcome;
+}
+
+Outcome push(const Setup& setup, Observer& observer, const Execution& execution) {
+  const Clock::time_point start = Clock::now();
+  Model model = make_model(setup, execution.threads);
+  const ChamberBoundary chamber(setup, model.mesh());
+  const PenetrometerContact penetrometer(setup, model.mesh());
+  Recorder recorder(setup.numerics.bin_height, setup.penetrometer.final_depth, penetrometer.projected_area());
+  Auditor auditor(model);
+
+  Outcome outcome;
+  outcome.status = Status::completed;
+  outcome.material_points = model.points().size();
+  const double speed = setup.penetrometer.speed, final_depth = setup.penetrometer.final_depth;
+  const double first_depth = model.mesh().tip_depth();
+  double depth = first_depth, last_look = 0.0, first_step = 0.0;
+
+  while (depth < final_depth && outcome.status == Status::completed) {
+    model.compute_nodal_forces();
+    chamber.apply_wall_stress(model);
+    const double dt = model.stable_time_step();
+    if (outcome.steps == 0) first_step = dt;
+    if (!(dt > 1e-3 * first_step)) {
+      outcome.status = Status::did_not_converge;
+      outcome.reason =
+          fmt::format("the stable time step fell to {:.3g} s at {:.1f} mm depth", dt, depth * 1e3);
+      break;
+    }
+    model.accelerate(dt);
+    const double bottom_impulse = chamber.fix_boundaries(model);
+    const PenetrometerLoad load = penetrometer.apply_contact(model, dt);
+    model.mesh().move_tip_to(depth + speed * dt);
+    model.move_points(dt);
+
+    recorder.add(depth + 0.5 * speed * dt, load, dt);
+    auditor.add_step(model, load, bottom_impulse, speed, dt);
+    depth += speed * dt;
+    ++outcome.steps;
+
+    if (outcome.steps % steps_between_checks == 0)
+      outcome.reason = auditor.check(model, depth - first_depth, outcome.status);
+    if (outcome.steps % steps_between_clock_looks == 0 && outcome.status == Status::completed) {
+      const double now = seconds_since(start);
+      if (now > execution.wall_limit_seconds) {
+        outcome.status = Status::time_limit;
+        outcome.reason = fmt::format("wall time limit of {:.0f} s reached at {:.1f} mm depth",
+                                     execution.wall_limit_seconds, depth * 1e3);
+      } else if (now - last_look > 0.1) {
+        last_look = now;
+        observer.progress({depth, final_depth, outcome.steps, outcome.material_points, now});
+        if (observer.stop_requested(outcome.reason)) outcome.status = Status::time_limit;
+      }
+    }
+  }
+
+  outcome.profile = recorder.profile();
+  outcome.audit = auditor.summary(model);
+  for (const double q_c : outcome.profile.q_c)
+    if (!std::isfinite(q_c) && outcome.status == Status::completed) {
+      outcome.status = Status::did_not_converge;
+      outcome.reason = "the tip resistance became non-finite";
+    }
+  outcome.wall_seconds = seconds_since(start);
+  return outcome;
+}
+
+}  // namespace
+
+std::string_view to_string(Status status) {
+  switch (status) {
+    case Status::completed:
+      return "completed";
+    case Status::did_not_converge:
+      return "did_not_converge";
+    case Status::energy_drift:
+      return "energy_drift";
+    case Status::time_limit:
+      return "time_limit";
+    case Status::invalid_parameters:
+      return "invalid_parameters";
+    case Status::crashed:
+      return "crashed";
+    case Status::rank_lost:
+      return "rank_lost";
+  }
+  return "unknown";
+}
+
+std::string_view solver_version() { return "0.1"; }
+
+Outcome simulate(const Setup& setup, Observer& observer, const Execution& execution) {
+  const std::vector<Problem> found = problems(setup);
+  if (!found.empty()) return invalid(found);
+  try {
+    return push(setup, observer, execution);
+  } catch (const std::exception& error) {
+    Outcome outcome;
+    outcome.status = Status::did_not_converge;
+    outcome.reason = error.what();
+    return outcome;
+  }
+}
+
+}  // namespace cpt::solver

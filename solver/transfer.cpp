@@ -1,0 +1,39 @@
+#include "solver/transfer.hpp"
+
+#include "solver/instruction_set.hpp"
+
+namespace cpt::solver {
+
+extern const TransferKernels transfer_kernels_baseline;
+#if defined(__x86_64__)
+extern const TransferKernels transfer_kernels_avx2;
+extern const TransferKernels transfer_kernels_avx512;
+#endif
+
+const TransferKernels& transfer_kernels() {
+#if defined(__x86_64__)
+  if (instruction_set() == InstructionSet::avx512) return transfer_kernels_avx512;
+  if (instruction_set() == InstructionSet::avx2) return transfer_kernels_avx2;
+#endif
+  return transfer_kernels_baseline;
+}
+
+void add_to_sums(CellSums& sums, const PointFields& points, std::size_t k, Material material) {
+  const double x = points.xi[k], y = points.eta[k], v = points.volume[k], m = points.mass[k];
+  const int q = (x > 0.0 ? 1 : 0) + (y > 0.0 ? 2 : 0);
+  sums.volume[q] += v;
+  sums.s_rr[q] += v * points.s_rr[k];
+  sums.s_zz[q] += v * points.s_zz[k];
+  sums.s_tt[q] += v * points.s_tt[k];
+  sums.s_rz[q] += v * points.s_rz[k];
+  const double N[4] = {0.25 * (1 - x) * (1 - y), 0.25 * (1 + x) * (1 - y), 0.25 * (1 + x) * (1 + y),
+                       0.25 * (1 - x) * (1 + y)};
+  for (int i = 0; i < 4; ++i) {
+    sums.mass[i] += N[i] * m;
+    sums.p_r[i] += N[i] * m * points.v_r[k];
+    sums.p_z[i] += N[i] * m * points.v_z[k];
+  }
+  sums.material_mass[static_cast<std::int32_t>(material)] += m;
+}
+
+}  // namespace cpt::solver

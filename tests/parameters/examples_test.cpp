@@ -1,0 +1,107 @@
+#include <array>
+#include <map>
+
+#include "parameters/designs/one_at_a_time.hpp"
+#include "tests/parameters/studies.hpp"
+
+namespace cpt::parameters {
+namespace {
+
+using solver::Preset;
+using solver::Profile;
+
+Study example(const std::string& name) {
+  const std::filesystem::path file = std::filesystem::path(CPT_EXAMPLES) / name;
+  StudyOrErrors result = read_study(file);
+  if (const auto* errors = std::get_if<std::vector<StudyError>>(&result)) {
+    ADD_FAILURE() << format(*errors);
+    return {};
+  }
+  return std::get<Study>(std::move(result));
+}
+
+void expect_study(const std::string& name, Profile profile, Preset preset, std::size_t realizations) {
+  const Study study = example(name);
+  EXPECT_EQ(study.profile, profile) << name;
+  EXPECT_EQ(study.preset, preset) << name;
+  EXPECT_EQ(one_at_a_time(study).size(), realizations) << name;
+}
+
+TEST(Examples, HaveTheRealizationsOfThePaper) {
+  expect_study("sens.toml", Profile::homogeneous_sand, Preset::quick, 21);
+  expect_study("paper/homogeneous_sand.toml", Profile::homogeneous_sand, Preset::paper, 21);
+  expect_study("paper/homogeneous_clay.toml", Profile::homogeneous_clay, Preset::paper, 12);
+  expect_study("paper/layered.toml", Profile::layered_sand_clay, Preset::paper, 28);
+}
+
+// Baselines of the examples repeat those of the presets, so that a preset and a study cannot drift apart.
+TEST(Examples, BaselinesAreThoseOfThePresets) {
+  for (const char* name :
+       {"sens.toml", "paper/homogeneous_sand.toml", "paper/homogeneous_clay.toml", "paper/layered.toml"}) {
+    const Study study = example(name);
+    EXPECT_EQ(solver::canonical_text(study.baseline),
+              solver::canonical_text(solver::make_setup(study.profile, study.preset)))
+        << name;
+  }
+}
+
+using Bounds = std::array<double, 3>;
+
+std::map<std::string, Bounds> bounds_of(const Study& study) {
+  std::map<std::string, Bounds> bounds;
+  for (const Row& row : study.rows)
+    bounds[std::string(row.quantity->name)] = {row.baseline, row.lower, row.upper};
+  return bounds;
+}
+
+// Yost et al. (2023), Tables 2 and 3, sections 3 and 4.4: baseline, lower bound, upper bound.
+TEST(Examples, LayeredStudyHasTheTablesOfThePaper) {
+  const std::map<std::string, Bounds> table = {{"sand.lambda", {0.012, 0.009, 0.015}},
+                                               {"sand.G_ref", {743, 700, 800}},
+                                               {"sand.phi_cs_deg", {30, 29, 31}},
+                                               {"sand.N", {0.1, 0.1, 0.3}},
+                                               {"sand.chi_tc", {2.7, 2.5, 3.5}},
+                                               {"sand.nu", {0.2, 0.1, 0.3}},
+                                               {"sand.H", {25, 25, 75}},
+                                               {"clay.n_0", {0.362, 0.290, 0.434}},
+                                               {"clay.s_u_kPa", {27.9, 22.3, 33.5}},
+                                               {"clay.G_kPa", {552, 423, 1404}},
+                                               {"sand.D_r_percent", {29, 19, 39}},
+                                               {"initial.sigma_h0_kPa", {25, 15, 35}},
+                                               {"contact.friction_ratio", {0.5, 0.3, 0.9}},
+                                               {"contact.adhesion_ratio", {0.5, 0.25, 0.5}},
+                                               {"chamber.radius_m", {0.45, 0.30, 0.45}},
+                                               {"chamber.wall", {1, 0, 1}}};
+  const auto layered = bounds_of(example("paper/layered.toml"));
+  EXPECT_EQ(layered, table);
+
+  auto sand = bounds_of(example("paper/homogeneous_sand.toml"));
+  EXPECT_EQ(sand, bounds_of(example("sens.toml")));
+  EXPECT_EQ(sand["sand.D_r_percent"], (Bounds{36, 26, 46}));
+  sand["sand.D_r_percent"] = table.at("sand.D_r_percent");
+  for (const auto& [name, bounds] : sand) EXPECT_EQ(bounds, table.at(name)) << name;
+  for (const auto& [name, bounds] : bounds_of(example("paper/homogeneous_clay.toml")))
+    EXPECT_EQ(bounds, table.at(name)) << name;
+}
+
+TEST(Examples, WindowsOfThePaper) {
+  for (const char* name : {"sens.toml", "paper/homogeneous_sand.toml", "paper/homogeneous_clay.toml"}) {
+    const Study study = example(name);
+    ASSERT_EQ(study.windows.size(), 1u) << name;
+    EXPECT_EQ(study.windows[0].from, 0.5054);
+    EXPECT_EQ(study.windows[0].to, 0.5255);
+  }
+  const Study layered = example("paper/layered.toml");
+  ASSERT_EQ(layered.windows.size(), 2u);
+  EXPECT_EQ(layered.windows[0].kind, Window::Kind::peak);
+  EXPECT_EQ(layered.windows[0].width, 0.0023);
+  EXPECT_LT(layered.windows[0].from, 0.3082);
+  EXPECT_GT(layered.windows[0].to, 0.3082);
+  EXPECT_EQ(layered.windows[1].kind, Window::Kind::trough);
+  EXPECT_EQ(layered.windows[1].width, 0.0042);
+  EXPECT_LT(layered.windows[1].from, 0.2771);
+  EXPECT_GT(layered.windows[1].to, 0.2771);
+}
+
+}  // namespace
+}  // namespace cpt::parameters

@@ -1,0 +1,27 @@
+// Campaigns with the studies of Yost et al. (2023), Tables 2 and 3, and made-up curves of their shape, driven
+// through the ledger as a campaign does.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "parameters/study.hpp"
+#include "results/snapshot.hpp"
+
+namespace cpt::reports {
+
+/// Realizations that do not complete: what happens to them by id; "pending" leaves them waiting.
+using Mishaps = std::map<int, std::string>;
+
+/// 21 realizations of the homogeneous sand; one fixed window.
+[[nodiscard]] parameters::Study sand_study(const std::filesystem::path& folder);
+/// 12 realizations of the homogeneous clay.
+[[nodiscard]] parameters::Study clay_study(const std::filesystem::path& folder);
+/// Layered sand and clay with a peak and a trough window.
+[[nodiscard]] parameters::Study layered_study(const std::filesystem::path& folder);
+
+/// Runs the study with made-up outcomes and reads it back. A mishap is a solver status name.
+[[nodiscard]] results::Snapshot run_made_up(const parameters::Study& study, const Mishaps& mishaps = {});
+
+}  // namespace cpt::reports

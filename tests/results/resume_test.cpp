@@ -1,0 +1,200 @@
+// What a kill leaves behind, and what the next campaign on the same database does with it.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "results/curve_store.hpp"
+#include "results/database.hpp"
+#include "results/query.hpp"
+#include "tests/results/campaign_fixture.hpp"
+
+namespace cpt::results {
+namespace {
+
+class Resume : public ScratchFolder {
+ protected:
+  parameters::Study study = sand_study(folder);
+
+  /// Runs `work` in a process of its own, which ends there without any destructor.
+  template <class Work>
+  static void in_killed_process(const Work& work) {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      work();
+      kill(getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+  }
+  static std::string message_of(const auto& action) {
+    try {
+      action();
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(Resume, KilledBetweenRecordsKeepsWhatEndedAndRequeuesWhatRan) {
+  in_killed_process([&] {
+    Ledger ledger = open(study);
+    ledger.record(1, completed(1e6));
+    ledger.record(2, failed(solver::Status::crashed, "signal 11"));
+    ledger.mark_running(3);
+  });
+  const Ledger ledger = open(study);
+  EXPECT_FALSE(ledger.opened().created);
+  EXPECT_EQ(ledger.opened().kept, 1);
+  EXPECT_EQ(ledger.opened().failed, 1);
+  EXPECT_EQ(ledger.opened().interrupted, 1);
+  EXPECT_EQ(ledger.pending(), (std::vector<int>{3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(ledger.opened().messages.size(), 3u);
+}
+
+TEST_F(Resume, KilledInsideATransactionLeavesNoTraceOfIt) {
+  { open(study).record(1, completed(1e6)); }
+  const std::string before = dump_without_times(study.database);
+  in_killed_process([&] {
+    const Database database(study.database, Database::Mode::read_write);
+    Transaction transaction(database, Transaction::Kind::write);
+    database.execute("UPDATE realization SET status = 'crashed'; DELETE FROM curve");
+  });
+  EXPECT_EQ(dump_without_times(study.database), before);
+}
+
+TEST_F(Resume, ResumedCampaignEqualsAnUndisturbedOne) {
+  {
+    Ledger ledger = open(study);
+    for (const int id : ledger.pending()) ledger.record(id, completed(1e6 + 1e5 * id));
+  }
+  const std::string undisturbed = dump_without_times(study.database);
+  std::filesystem::remove(study.database);
+  for (int k = 0; k < 8; ++k)
+    in_killed_process([&] {
+      Ledger ledger = open(study);
+      const int id = ledger.pending().back();
+      ledger.mark_running(ledger.pending().front());
+      ledger.record(id, completed(1e6 + 1e5 * id));
+    });
+  EXPECT_EQ(dump_without_times(study.database), undisturbed);
+}
+
+TEST_F(Resume, ReadableAfterAKillWithoutAnyWriter) {
+  in_killed_process([&] { open(study).record(1, completed(1e6)); });
+  EXPECT_EQ(read_snapshot(study.database).curves.size(), 1u);
+}
+
+TEST_F(Resume, SecondCampaignOnTheSameDatabaseIsRefused) {
+  const Ledger first = open(study);
+  const std::string message = message_of([&] { open(study); });
+  EXPECT_NE(message.find("held by process " + std::to_string(getpid())), std::string::npos) << message;
+  EXPECT_THROW(open(study), Locked);
+}
+
+TEST_F(Resume, LockEndsWithItsProcess) {
+  in_killed_process([&] { (void)new Ledger(open(study)); });
+  EXPECT_TRUE(std::filesystem::exists(study.database.string() + ".lock"));
+  EXPECT_NO_THROW(open(study));
+}
+
+TEST_F(Resume, LostRankRunsAgainByItselfOtherFailuresOnDemand) {
+  {
+    Ledger ledger = open(study);
+    ledger.record(1, failed(solver::Status::rank_lost, "worker 2 is gone"));
+    ledger.record(2, failed(solver::Status::time_limit, "over 600 s"));
+  }
+  {
+    const Ledger ledger = open(study);
+    EXPECT_EQ(ledger.pending(), (std::vector<int>{1, 3, 4, 5, 6, 7, 8}));
+  }
+  const Ledger ledger = open(study, true);
+  EXPECT_EQ(ledger.opened().retried, 1);
+  EXPECT_EQ(ledger.pending().size(), 8u);
+  EXPECT_EQ(read_run(study.database, 2)->row.reason, "");
+}
+
+TEST_F(Resume, ChangedBoundRunsAgainOthersAreKept) {
+  {
+    Ledger ledger = open(study);
+    for (const int id : ledger.pending()) ledger.record(id, completed(1e6 * id));
+  }
+  study.rows[0].upper = 80;
+  const Ledger ledger = open(study);
+  EXPECT_EQ(ledger.opened().kept, 7);
+  EXPECT_EQ(ledger.opened().discarded, 1);
+  EXPECT_EQ(ledger.pending(), std::vector<int>{3});
+}
+
+TEST_F(Resume, ReorderedAndRemovedRowsKeepTheirRuns) {
+  {
+    Ledger ledger = open(study);
+    for (const int id : ledger.pending()) ledger.record(id, completed(1e6 * id));
+  }
+  study.rows.erase(study.rows.begin() + 1);
+  std::swap(study.rows.front(), study.rows.back());
+  const Ledger ledger = open(study);
+  EXPECT_EQ(ledger.opened().kept, 7);
+  EXPECT_EQ(ledger.opened().discarded, 1);
+  EXPECT_TRUE(ledger.pending().empty());
+  const StoredRun moved = read_run(study.database, 2).value();  // now sigma_h0's lower bound, before id 7
+  EXPECT_EQ(moved.row.parameter, "initial.sigma_h0_kPa");
+  EXPECT_EQ(moved.row.side, "lower");
+  EXPECT_EQ(moved.profile->q_c, completed(7e6).profile.q_c);
+}
+
+TEST_F(Resume, MovedWindowIsAveragedAnewFromStoredCurves) {
+  {
+    Ledger ledger = open(study);
+    for (const int id : ledger.pending()) ledger.record(id, completed(1e6 * id));
+  }
+  study.windows = {{"shallow", parameters::Window::Kind::fixed, 0.05, 0.06, 0.0}};
+  const Ledger ledger = open(study);
+  EXPECT_TRUE(ledger.pending().empty());
+  const Snapshot s = read_snapshot(study.database);
+  ASSERT_EQ(s.window_means.size(), 8u);
+  EXPECT_EQ(s.window_means[0].window, "shallow");
+  EXPECT_NEAR(s.window_means[0].q_c_mean_kPa, 1e3 * std::sqrt(0.055), 15.0);
+}
+
+TEST_F(Resume, AnotherStudysResultsAreNotDestroyed) {
+  { open(study).record(1, completed(1e6)); }
+  study.name = "clay";
+  study.baseline.sand.H = 30;
+  const std::string before = dump_without_times(study.database);
+  const std::string message = message_of([&] { open(study); });
+  EXPECT_NE(message.find("'sand'"), std::string::npos) << message;
+  EXPECT_EQ(dump_without_times(study.database), before);
+}
+
+TEST_F(Resume, RenamedStudyKeepsItsRuns) {
+  { open(study).record(1, completed(1e6)); }
+  study.name = "sand2";
+  EXPECT_EQ(open(study).opened().kept, 1);
+}
+
+TEST_F(Resume, FilesThatAreNoLedgerAreNamedAndLeftAlone) {
+  std::ofstream(study.database) << "this is a text, long enough to hold a header of some hundred bytes. "
+                                << std::string(200, 'x');
+  EXPECT_NE(message_of([&] { open(study); }).find("not an SQLite database"), std::string::npos);
+  EXPECT_NE(message_of([&] { (void)read_snapshot(study.database); }).find("not an SQLite database"),
+            std::string::npos);
+  std::filesystem::remove(study.database);
+  Database(study.database, Database::Mode::read_write).execute("CREATE TABLE notes (text)");
+  EXPECT_NE(message_of([&] { open(study); }).find("not one of a campaign"), std::string::npos);
+  EXPECT_EQ(Database(study.database, Database::Mode::read_only).integer("SELECT count(*) FROM sqlite_schema"),
+            1);
+}
+
+TEST_F(Resume, OtherSchemaVersionIsRefused) {
+  { open(study); }
+  Database(study.database, Database::Mode::read_write).execute("PRAGMA user_version = 77");
+  EXPECT_NE(message_of([&] { open(study); }).find("schema version 77"), std::string::npos);
+  EXPECT_NE(message_of([&] { (void)read_snapshot(study.database); }).find("schema version 77"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cpt::results

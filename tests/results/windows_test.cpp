@@ -1,0 +1,67 @@
+#include "results/windows.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace cpt::results {
+namespace {
+
+using parameters::Window;
+
+const solver::DepthProfile profile{{0.1, 0.2, 0.3, 0.4, 0.5}, {10.0, 40.0, 20.0, 40.0, 5.0}, {0, 0, 0, 0, 0}};
+
+TEST(Windows, FixedWindowIsItsInterval) {
+  const auto interval = resolve_window({"w", Window::Kind::fixed, 0.15, 0.35, 0.0}, {});
+  ASSERT_TRUE(interval);
+  EXPECT_EQ(interval.value.from, 0.15);
+  EXPECT_EQ(interval.value.to, 0.35);
+}
+
+TEST(Windows, PeakIsTheShallowestLargestAndTroughTheLeast) {
+  const auto peak = resolve_window({"w", Window::Kind::peak, 0.0, 1.0, 0.1}, profile);
+  ASSERT_TRUE(peak);
+  EXPECT_DOUBLE_EQ(peak.value.from, 0.15);
+  EXPECT_DOUBLE_EQ(peak.value.to, 0.25);
+  const auto trough = resolve_window({"w", Window::Kind::trough, 0.0, 0.45, 0.1}, profile);
+  ASSERT_TRUE(trough);
+  EXPECT_DOUBLE_EQ(trough.value.from, 0.05);
+}
+
+TEST(Windows, SearchStaysInItsRangeAndSkipsWhatIsNotANumber) {
+  solver::DepthProfile holes = profile;
+  holes.q_c[1] = std::numeric_limits<double>::quiet_NaN();
+  const auto peak = resolve_window({"w", Window::Kind::peak, 0.1, 0.3, 0.02}, holes);
+  ASSERT_TRUE(peak);
+  EXPECT_DOUBLE_EQ(peak.value.from, 0.29);
+}
+
+TEST(Windows, PeakWithoutBinsIsAProblemThatNamesRangeAndWindow) {
+  const auto peak = resolve_window({"embedded sand", Window::Kind::peak, 0.6, 0.7, 0.02}, profile);
+  ASSERT_FALSE(peak);
+  EXPECT_NE(peak.problem.find("embedded sand"), std::string::npos);
+  EXPECT_NE(peak.problem.find("0.6"), std::string::npos);
+}
+
+TEST(Windows, AverageTakesBinsWithCentresInsideEndsIncluded) {
+  const auto mean = average(profile, {0.2, 0.4});
+  ASSERT_TRUE(mean);
+  EXPECT_EQ(mean.value.bins, 3);
+  EXPECT_DOUBLE_EQ(mean.value.mean, 100.0 / 3.0);
+  EXPECT_EQ(mean.value.min, 20.0);
+  EXPECT_EQ(mean.value.max, 40.0);
+}
+
+TEST(Windows, BinsOnTheEdgeCountWhateverTheRounding) {
+  // 0.3 - 0.1 is not 0.2 in floating point; the bin at 0.2 must still be found.
+  EXPECT_EQ(average(profile, {0.3 - 0.1, 0.1 + 0.2}).value.bins, 2);
+}
+
+TEST(Windows, AverageOfNoBinIsAProblem) {
+  const auto mean = average(profile, {0.41, 0.49});
+  ASSERT_FALSE(mean);
+  EXPECT_NE(mean.problem.find("0.41"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cpt::results
