@@ -69,19 +69,16 @@ solver::ElementTest make_test(const Arguments& arguments) {
   return test;
 }
 
-results::Cell cell(double value) {
-  if (std::isnan(value)) return std::monostate{};
-  return value;
-}
-
 // Every `stride`-th row, and the last.
 results::Table make_table(const std::vector<solver::ElementRow>& rows, std::size_t stride) {
   results::Table table{{"eps_a", "eps_v", "q_kPa", "p_kPa", "e", "psi", "p_i_kPa"}, {}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i % stride != 0 && i + 1 != rows.size()) continue;
     const solver::ElementRow& row = rows[i];
-    if (i % stride == 0 || i + 1 == rows.size())
-      table.rows.push_back({cell(row.eps_a), cell(row.eps_v), cell(row.q / kPa), cell(row.p / kPa), cell(row.e),
-                            cell(row.psi), cell(row.p_i / kPa)});
+    const double values[] = {row.eps_a, row.eps_v, row.q / kPa, row.p / kPa, row.e, row.psi, row.p_i / kPa};
+    std::vector<results::Cell>& cells = table.rows.emplace_back(table.columns.size());
+    for (std::size_t j = 0; j < cells.size(); ++j)
+      if (!std::isnan(values[j])) cells[j] = values[j];
   }
   return table;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "reports/depth_plot.hpp"
 #include "reports/figures.hpp"
@@ -20,28 +19,30 @@ constexpr double figure_width = 400.0;
 constexpr double main_width = 150.0;
 constexpr double inset_left = 268.0;
 constexpr double inset_height = 120.0;
-constexpr double inset_pitch = inset_height + 62.0;
+constexpr double inset_pitch = inset_height + 68.0;
 
 struct Inset {
-  const WindowRow& window;
-  const WindowMeanRow& mean;
+  const WindowRow* window;
+  const WindowMeanRow* mean;
 };
 
 std::vector<Inset> insets_of(const Snapshot& campaign, int baseline) {
   std::vector<Inset> insets;
   for (const WindowRow& window : campaign.windows)
     for (const WindowMeanRow& mean : campaign.window_means)
-      if (mean.realization == baseline && mean.window == window.name) insets.push_back({window, mean});
+      if (mean.realization == baseline && mean.window == window.name) insets.push_back({&window, &mean});
+  std::stable_sort(insets.begin(), insets.end(),
+                   [](const Inset& a, const Inset& b) { return a.window->from_m < b.window->from_m; });
   return insets;
 }
 
 /// The window's depths with as much again above and below, and the q_c found there.
 DepthPlot enlarged(const solver::DepthProfile& profile, const Inset& inset, const Box& box) {
-  const double thickness = inset.window.to_m - inset.window.from_m;
-  const double from = std::max(inset.window.from_m - thickness, 0.0);
-  const double to = inset.window.to_m + thickness;
-  double least = inset.mean.q_c_min_kPa;
-  double largest = inset.mean.q_c_max_kPa;
+  const double thickness = inset.window->to_m - inset.window->from_m;
+  const double from = std::max(inset.window->from_m - thickness, 0.0);
+  const double to = inset.window->to_m + thickness;
+  double least = inset.mean->q_c_min_kPa;
+  double largest = inset.mean->q_c_max_kPa;
   for (std::size_t i = 0; i < profile.depth.size(); ++i) {
     const double q = profile.q_c[i] / 1.0e3;
     if (profile.depth[i] < from || profile.depth[i] > to || !std::isfinite(q)) continue;
@@ -56,26 +57,26 @@ void draw_inset(Svg& svg, const Snapshot& campaign, const solver::DepthProfile& 
                 const DepthPlot& whole, const Box& box) {
   const DepthPlot plot = enlarged(profile, inset, box);
   // Two thin lines tie the inset to its place on the profile.
-  const double middle = whole.depth(0.5 * (inset.window.from_m + inset.window.to_m));
+  const double middle = whole.depth(0.5 * (inset.window->from_m + inset.window->to_m));
   for (const double y : {box.y, box.bottom()})
-    svg.line({whole.box.right() + 4.5, middle}, {box.x - 44.0, y}, {palette::faint, 0.5, {}});
-  svg.text({box.x - 34.0, box.y - 27.0},
-           plain(shortened(inset.window.name, box.right() - box.x + 34.0, 8.0, true)),
+    svg.line({whole.box.right() + 4.5, middle}, {box.x - 40.0, y}, {palette::faint, 0.5, {}});
+  svg.text({box.x - 34.0, box.y - 32.0},
+           plain(shortened(inset.window->name, box.right() - box.x + 34.0, 8.0, true)),
            {.size = 8.0, .bold = true});
   plot.draw_ground(svg, campaign.layers, 3, 4);
-  svg.rectangle({box.x, plot.depth(inset.window.from_m), box.width,
-                 plot.depth(inset.window.to_m) - plot.depth(inset.window.from_m)},
+  svg.rectangle({box.x, plot.depth(inset.window->from_m), box.width,
+                 plot.depth(inset.window->to_m) - plot.depth(inset.window->from_m)},
                 palette::sky, 0.3);
   svg.begin_clip(box);
   plot.draw_curve(svg, profile, {palette::ink, 1.2, {}});
   svg.end_clip();
-  const double x = plot.q_c(inset.mean.q_c_mean_kPa);
-  svg.line({x, plot.depth(inset.window.from_m)}, {x, plot.depth(inset.window.to_m)},
+  const double x = plot.q_c(inset.mean->q_c_mean_kPa);
+  svg.line({x, plot.depth(inset.window->from_m)}, {x, plot.depth(inset.window->to_m)},
            {palette::vermillion, 1.4, {}});
   plot.draw_frame(svg);
-  const double noise = (inset.mean.q_c_max_kPa - inset.mean.q_c_min_kPa) / inset.mean.q_c_max_kPa;
+  const double noise = (inset.mean->q_c_max_kPa - inset.mean->q_c_min_kPa) / inset.mean->q_c_max_kPa;
   svg.text({box.right(), box.bottom() + 11.0},
-           symbolic("average q_c ") + plain(fmt::format("{} kPa, ", number(inset.mean.q_c_mean_kPa, 4))) +
+           symbolic("average q_c ") + plain(fmt::format("{} kPa, ", number(inset.mean->q_c_mean_kPa, 4))) +
                symbolic("SI_noise ") + plain(decimals(noise, 4)),
            {.size = 7.0, .anchor = Anchor::end});
 }
@@ -90,7 +91,7 @@ std::optional<std::string> baseline_figure(const Snapshot& campaign) {
 
   const double lines = all_completed(campaign) ? 1.0 : 2.0;
   const double head = 23.0 + 12.5 * lines + 40.0;
-  const double plot_height = std::max(300.0, inset_pitch * static_cast<double>(insets.size()) - 40.0);
+  const double plot_height = std::max(300.0, inset_pitch * static_cast<double>(insets.size()) - 52.0);
   Svg svg(figure_width, head + plot_height + 22.0, "baseline");
   const double top = draw_heading(svg, campaign, campaign.campaign.title,
                                   {symbolic("baseline q_c over depth; windows enlarged at the right")});
@@ -103,7 +104,7 @@ std::optional<std::string> baseline_figure(const Snapshot& campaign) {
   whole.draw_frame(svg);
   double y = box.y;
   for (const Inset& inset : insets) {
-    whole.draw_window_mark(svg, inset.window);
+    whole.draw_window_mark(svg, *inset.window);
     draw_inset(svg, campaign, *profile, inset, whole,
                {inset_left, y, figure_width - inset_left - 14.0, inset_height});
     y += inset_pitch;

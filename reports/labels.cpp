@@ -7,6 +7,12 @@
 #include "reports/palette.hpp"
 
 namespace cpt::reports {
+namespace {
+
+constexpr double left = 8.0;  // of a figure's heading
+constexpr double line_size = 8.0;
+
+}  // namespace
 
 using results::ParameterRow;
 using results::RealizationRow;
@@ -78,6 +84,10 @@ std::string shortened(std::string_view text, double room, double font_size, bool
 
 std::string depth_range(double from_m, double to_m) { return fmt::format("{:.4f}–{:.4f} m", from_m, to_m); }
 
+Rich window_line(const results::WindowRow& window, const Rich& what, double figure_width) {
+  return plain(shortened(window.name, figure_width - 2.0 * left - width(what, line_size), line_size)) + what;
+}
+
 bool all_completed(const Snapshot& campaign) {
   return std::all_of(campaign.realizations.begin(), campaign.realizations.end(),
                      [](const RealizationRow& r) { return r.completed(); });
@@ -99,9 +109,7 @@ std::string state_of(const Snapshot& campaign) {
 
 double draw_heading(Svg& svg, const Snapshot& campaign, std::string_view title,
                     const std::vector<Rich>& lines) {
-  constexpr double left = 8.0;
   constexpr double title_size = 10.0;
-  constexpr double line_size = 8.0;
   double y = 17.0;
   svg.text({left, y}, plain(shortened(title, svg.width() - 2.0 * left, title_size, true)),
            {.size = title_size, .bold = true});

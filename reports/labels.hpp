@@ -31,6 +31,9 @@ namespace cpt::reports {
 /// "0.5054–0.5255 m".
 [[nodiscard]] std::string depth_range(double from_m, double to_m);
 
+/// A window's name, cut where needed, before what is said of it in a figure's heading.
+[[nodiscard]] Rich window_line(const results::WindowRow& window, const Rich& what, double figure_width);
+
 /// "21 of 21 realizations completed", with the failed and waiting ones where there are any.
 [[nodiscard]] std::string state_of(const results::Snapshot& campaign);
 [[nodiscard]] bool all_completed(const results::Snapshot& campaign);

@@ -68,18 +68,18 @@ std::optional<std::string> profiles_figure(const Snapshot& campaign) {
     axes.draw_curve(svg, curve.profile, {palette::faint, 0.7, run.completed() ? "" : "2 1.5"});
   }
   for (std::size_t k = marked.size(); k-- > 0;)  // the furthest on top
-    axes.draw_curve(svg, *curve_of(campaign, marked[k]), {palette::series[k], 1.1, {}});
+    axes.draw_curve(svg, *curve_of(campaign, marked[k]), {palette::series[k], 1.0, {}});
   const solver::DepthProfile* base = baseline != nullptr ? curve_of(campaign, baseline->id) : nullptr;
-  if (base != nullptr) axes.draw_curve(svg, *base, {palette::ink, 1.6, {}});
+  if (base != nullptr) axes.draw_curve(svg, *base, {palette::ink, 1.4, {}});
   svg.end_clip();
   axes.draw_frame(svg);
 
   Legend legend{svg, plot.right() + 12.0, plot.y + 6.0, legend_width - 2.0};
-  if (base != nullptr) legend.line(plain("baseline"), {palette::ink, 1.6, {}});
+  if (base != nullptr) legend.line(plain("baseline"), {palette::ink, 1.4, {}});
   for (std::size_t k = 0; k < marked.size(); ++k) {
     const auto& run = *std::find_if(campaign.realizations.begin(), campaign.realizations.end(),
                                     [&](const RealizationRow& r) { return r.id == marked[k]; });
-    legend.line(run_label(campaign, run), {palette::series[k], 1.1, {}});
+    legend.line(run_label(campaign, run), {palette::series[k], 1.0, {}});
   }
   if (others > 0)
     legend.line(plain(fmt::format("{} other{}", others, others == 1 ? "" : "s")), {palette::faint, 0.7, {}});

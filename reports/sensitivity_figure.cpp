@@ -29,7 +29,15 @@ std::vector<SensitivityRow> sorted_rows(const Snapshot& campaign, const std::str
   return rows;
 }
 
-void draw_row(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
+void draw_bar(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
+  if (!std::isfinite(row.si)) return;
+  const bool quiet = row.above_noise.has_value() && !*row.above_noise;
+  svg.rectangle({axis.from, y - 0.5 * bar_height, axis(row.si_abs) - axis.from, bar_height},
+                row.si < 0.0 ? palette::orange : palette::blue, quiet ? 0.4 : 1.0);
+}
+
+/// The index behind its bar, or why there is none; kept clear of the noise line.
+void draw_value(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
   const double base = y + 0.36 * value_size;
   if (!std::isfinite(row.si)) {
     const double room = axis.to - axis.from - 8.0;
@@ -37,11 +45,11 @@ void draw_row(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
              {.size = value_size, .color = palette::vermillion, .halo = true});
     return;
   }
-  const double end = axis(row.si_abs);
-  const bool quiet = row.above_noise.has_value() && !*row.above_noise;
-  svg.rectangle({axis.from, y - 0.5 * bar_height, end - axis.from, bar_height},
-                row.si < 0.0 ? palette::orange : palette::blue, quiet ? 0.4 : 1.0);
-  svg.text({end + 3.0, base}, plain(decimals(row.si, 3)), {.size = value_size, .halo = true});
+  const Rich text = plain(decimals(row.si, 3));
+  double x = axis(row.si_abs) + 3.0;
+  const double noise = axis(row.si_noise);
+  if (noise > x - 2.0 && noise < x + width(text, value_size) + 2.0) x = noise + 3.0;
+  svg.text({x, base}, text, {.size = value_size, .halo = true});
 }
 
 }  // namespace
@@ -60,9 +68,10 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   const double lines = all_completed(campaign) ? 1.0 : 2.0;
   const double plot_height = row_pitch * static_cast<double>(rows.size()) + 4.0;
   Svg svg(figure_width, 23.0 + 12.5 * lines + 4.0 + plot_height + 62.0, "sensitivity");
-  const double top = draw_heading(svg, campaign, fmt::format("{}: {}", campaign.campaign.title, window.name),
-                                  {symbolic("SI = (q_upper − q_lower) / q_upper") +
-                                   plain(fmt::format(" over {}", depth_range(window.from_m, window.to_m)))});
+  const Rich what = plain(": ") + symbolic("SI = (q_upper − q_lower) / q_upper") +
+                    plain(" over " + depth_range(window.from_m, window.to_m));
+  const double top =
+      draw_heading(svg, campaign, campaign.campaign.title, {window_line(window, what, figure_width)});
   const double left = 14.0 + label_width + 8.0;
   const Box plot{left, top + 4.0, figure_width - 14.0 - left, plot_height};
   const double largest = std::max(rows.front().si_abs, std::isfinite(noise) ? noise : 0.0);
@@ -70,13 +79,15 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   const Axis axis{0.0, high, plot.x, plot.right()};
 
   draw_horizontal(svg, plot, axis, Edge::bottom, plain("sensitivity index |SI|"), 6);
-  double y = plot.y + 2.0 + 0.5 * row_pitch;
-  for (std::size_t i = 0; i < rows.size(); ++i, y += row_pitch) {
-    svg.text({plot.x - 8.0, y + 0.34 * label_size}, labels[i], {.size = label_size, .anchor = Anchor::end});
-    draw_row(svg, axis, rows[i], y);
-  }
+  const auto row_y = [&](std::size_t i) { return plot.y + 2.0 + row_pitch * (static_cast<double>(i) + 0.5); };
+  for (std::size_t i = 0; i < rows.size(); ++i) draw_bar(svg, axis, rows[i], row_y(i));
   if (std::isfinite(noise))
     svg.line({axis(noise), plot.y}, {axis(noise), plot.bottom()}, {palette::ink, 1.0, "4 2.5"});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    svg.text({plot.x - 8.0, row_y(i) + 0.34 * label_size}, labels[i],
+             {.size = label_size, .anchor = Anchor::end});
+    draw_value(svg, axis, rows[i], row_y(i));
+  }
   svg.line({plot.x, plot.y}, {plot.x, plot.bottom()}, {palette::ink, 0.6, {}});
   svg.line({plot.x, plot.bottom()}, {plot.right(), plot.bottom()}, {palette::ink, 0.6, {}});
 

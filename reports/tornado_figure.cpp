@@ -99,18 +99,19 @@ void draw_bar(Svg& svg, const Axis& axis, const Bar& bar, double y, double q_bas
   const bool has_lower = std::isfinite(bar.row.q_lower_kPa);
   const bool has_upper = std::isfinite(bar.row.q_upper_kPa);
   double clear_right = right + value_gap;
+  double clear_left = left - value_gap;
   const auto put = [&](bool present, const std::string& text, bool on_left) {
     if (!present) return;
     svg.text({on_left ? left - value_gap : right + value_gap, base}, plain(text),
              {.size = value_size, .anchor = on_left ? Anchor::end : Anchor::start, .halo = true});
-    if (!on_left) clear_right += width(plain(text), value_size) + 2.0 * value_gap;
+    const double taken = width(plain(text), value_size) + 2.0 * value_gap;
+    on_left ? clear_left -= taken : clear_right += taken;
   };
   put(has_lower, bar.lower_text, rising);
   put(has_upper, bar.upper_text, !rising);
   if (bar.missing.empty()) return;
   const Rich note = plain("× " + bar.missing);
   const bool fits = clear_right + width(note, value_size) < axis.to;
-  const double clear_left = left - value_gap - (has_lower || has_upper ? 26.0 : 0.0);
   svg.text({fits ? clear_right : clear_left, base}, note,
            {.size = value_size,
             .anchor = fits ? Anchor::start : Anchor::end,
@@ -122,16 +123,16 @@ void draw_legend(Svg& svg, double x, double y) {
   const TextStyle style{.size = 7.5};
   const auto entry = [&](const Rich& text, double glyph_width) {
     svg.text({x + glyph_width + 3.0, y + 2.7}, text, style);
-    x += glyph_width + 3.0 + width(text, style.size) + 14.0;
+    x += glyph_width + 3.0 + width(text, style.size) + 11.0;
   };
   svg.rectangle({x, y - 3.5, 9.0, 7.0}, palette::blue);
-  entry(plain("towards the lower bound"), 9.0);
+  entry(plain("to the lower bound"), 9.0);
   svg.rectangle({x, y - 3.5, 9.0, 7.0}, palette::vermillion);
-  entry(plain("towards the upper bound"), 9.0);
+  entry(plain("to the upper bound"), 9.0);
   svg.line({x + 3.0, y - 4.5}, {x + 3.0, y + 4.5}, {palette::ink, 1.0, {}});
   entry(plain("baseline"), 6.0);
   svg.rectangle({x, y - 3.5, 9.0, 7.0}, palette::band);
-  entry(plain("its noise"), 9.0);
+  entry(plain("noise of the baseline"), 9.0);
 }
 
 }  // namespace
@@ -150,14 +151,14 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
   const double lines = all_completed(campaign) ? 1.0 : 2.0;
   const double height = 23.0 + 12.5 * lines + 8.0 + row_pitch * static_cast<double>(bars.size()) + 62.0;
   Svg svg(figure_width, height, "tornado");
-  const double top =
-      draw_heading(svg, campaign, fmt::format("{}: {}", campaign.campaign.title, window.name),
-                   {symbolic("average q_c ") +
+  const Rich what = plain(": ") + symbolic("average q_c ") +
                     plain(fmt::format("over {}; baseline {} kPa", depth_range(window.from_m, window.to_m),
-                                      number(base->q_c_mean_kPa, 4)))});
-  const Box plot{14.0 + label_width + 8.0, top + 4.0, 0.0,
+                                      number(base->q_c_mean_kPa, 4)));
+  const double top =
+      draw_heading(svg, campaign, campaign.campaign.title, {window_line(window, what, figure_width)});
+  const double left = 14.0 + label_width + 8.0;
+  const Box area{left, top + 4.0, figure_width - 14.0 - left,
                  row_pitch * static_cast<double>(bars.size()) + 4.0};
-  const Box area{plot.x, plot.y, figure_width - 14.0 - plot.x, plot.height};
   const Axis axis = make_axis(bars, base->q_c_mean_kPa, area.x, area.right());
 
   draw_horizontal(svg, area, axis, Edge::bottom, symbolic("average q_c (kPa)"), 6);
@@ -173,7 +174,7 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
     y += row_pitch;
   }
   svg.line({area.x, area.bottom()}, {area.right(), area.bottom()}, {palette::ink, 0.6, {}});
-  draw_legend(svg, area.x, area.bottom() + 46.0);
+  draw_legend(svg, 14.0, area.bottom() + 46.0);
   return svg.document(fmt::format("Tornado: {}, {}", campaign.campaign.title, window.name));
 }
 

@@ -66,10 +66,10 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
   return {select(m, a.p, b.p), select(m, a.s, b.s), select(m, a.p_i, b.p_i), select(m, a.e, b.e)};
 }
 
-/// One modified Euler step from y over a fraction h. error2 is the square of its relative error; `beyond_axis` says
-/// where it turned the deviator round.
+/// One modified Euler step from y over a fraction h. error2 is the square of its relative error. `turn` is the
+/// fraction of the step, linearly, at which the deviator turns round; 1 where it does not.
 [[maybe_unused]] static State modified_euler(const Constants& c, const State& y, const Flow& f, const Strain& strain,
-                                             Pack e_growth, Pack h, Mask on_vertex, Pack& error2, Mask& beyond_axis) {
+                                             Pack e_growth, Pack h, Mask on_vertex, Pack& error2, Pack& turn) {
   const Increment d1 = increment_at(f, strain, e_growth, h);
   const State middle = step(c, y, d1, e_growth, h);
   Flow f1;
@@ -83,7 +83,9 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
   const Pack p = at_least(end.p, splat(c.p_min));
   const Pack stress2 = 3.0 * p * p + contract(end.s, end.s);
   error2 = (3.0 * dp * dp + contract(ds, ds)) / stress2 + dp_i * dp_i;
-  beyond_axis = less(contract(middle.s, f.unit), splat(0.0)) | less(contract(end.s, f.unit), splat(0.0));
+  const Pack q = contract(y.s, f.unit);
+  const Pack q_end = at_most(contract(middle.s, f.unit), contract(end.s, f.unit));
+  turn = select(less(q_end, splat(0.0)), at_least(q, splat(0.0)) / (q - q_end), splat(1.0));
   return end;
 }
 
@@ -169,10 +171,14 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
     const Pack rest = 1.0 - done;
     const Pack h = at_most(length, rest);
     Pack error2;
-    Mask beyond_axis;
-    State next = modified_euler(c, now, f, strain, e_growth, h, none(), error2, beyond_axis);
-    // A return beyond the axis belongs to the isotropic vertex: q = 0 and volumetric plastic flow.
-    const Mask on_vertex = active & beyond_axis;
+    Pack turn;
+    State next = modified_euler(c, now, f, strain, e_growth, h, none(), error2, turn);
+    // A step beyond the axis meets the isotropic vertex, where q = 0 and plastic flow is volumetric: up to there by
+    // shorter steps, then on the vertex.
+    const Mask shortest = at_most_mask(h, splat(smallest_substep));
+    const Mask beyond = active & less(turn, splat(1.0));
+    const Mask near = at_most_mask(contract(now.s, f.unit), c.tolerance * f.p) | shortest;
+    const Mask on_vertex = beyond & near, too_far = beyond & !near;
     if (any(on_vertex)) {
       State axis = now;
       axis.s = Deviator{};
@@ -181,13 +187,12 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
       Pack error2_axis;
       const Strain volumetric = {strain.v, Deviator{}};
       const State next_axis = modified_euler(c, axis, f_axis, volumetric, e_growth, h, on_vertex, error2_axis,
-                                             beyond_axis);
+                                             turn);
       next = select(on_vertex, next_axis, next);
       error2 = select(on_vertex, error2_axis, error2);
     }
-    const Mask good = at_most_mask(error2, tolerance2) | at_most_mask(h, splat(smallest_substep));
     const Mask defined = at_most_mask(error2, splat(1e300));
-    const Mask accepted = active & (good | !defined);
+    const Mask accepted = active & !too_far & (at_most_mask(error2, tolerance2) | shortest | !defined);
     if (any(accepted)) {
       correct_drift(c, next, strain, accepted, on_vertex, false);
       now = select(accepted, next, now);
@@ -197,7 +202,8 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
     active = active & !ended;
     if (!any(active)) break;
     const Pack factor = 0.9 * sqrt(sqrt(tolerance2 / at_least(error2, splat(1e-40))));
-    length = at_least(h * at_most(at_least(factor, splat(0.1)), splat(2.0)), splat(smallest_substep));
+    const Pack change = select(too_far, 0.999 * turn, at_most(at_least(factor, splat(0.1)), splat(2.0)));
+    length = at_least(h * change, splat(smallest_substep));
     flow_at(c, now, strain.d, none(), f);
   }
   y = select(plastic, now, y);

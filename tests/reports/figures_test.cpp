@@ -1,0 +1,117 @@
+#include "reports/figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "reports/labels.hpp"
+#include "solver/quantities.hpp"
+#include "tests/reports/made_up_campaigns.hpp"
+
+namespace cpt::reports {
+namespace {
+
+class Figures : public ::testing::Test {
+ protected:
+  Figures() {
+    std::string name = (std::filesystem::temp_directory_path() / "cpt_figures_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder");
+    folder = name;
+  }
+  ~Figures() override { std::filesystem::remove_all(folder); }
+
+  static std::size_t count(const std::string& text, std::string_view part) {
+    std::size_t n = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+    return n;
+  }
+  static bool has(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+  }
+  /// Where a text starts in a document; beyond any place if it is not there.
+  static std::size_t place(const std::string& text, std::string_view part) { return text.find(part); }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(Figures, TornadoIsSortedByRangeWithBoundsAtTheEnds) {
+  const auto campaign = run_made_up(sand_study(folder));
+  const std::string svg = tornado_figure(campaign, campaign.windows[0]).value();
+  EXPECT_LT(place(svg, ">H<"), place(svg, ">χ<"));
+  EXPECT_LT(place(svg, ">χ<"), place(svg, ">ν<"));
+  for (const char* bound : {">75<", ">26<", ">46<", ">flexible<", ">rigid<", ">0.015<", ">0.009<"})
+    EXPECT_TRUE(has(svg, bound)) << bound;
+  EXPECT_FALSE(has(svg, "×"));
+  EXPECT_FALSE(has(svg, "nan"));
+}
+
+TEST_F(Figures, FailuresAndWaitingRunsAreShown) {
+  // Ids 14 and 15 are the lower and upper bound of D_R; 13 is H's upper bound.
+  const auto campaign = run_made_up(sand_study(folder), {{13, "pending"}, {14, "did_not_converge"}});
+  const std::string tornado = tornado_figure(campaign, campaign.windows[0]).value();
+  EXPECT_TRUE(has(tornado, "19 of 21 realizations completed, 1 failed, 1 still to run"));
+  EXPECT_TRUE(has(tornado, "× 26: did_not_converge"));
+  EXPECT_TRUE(has(tornado, "× 75: not run yet"));
+  const std::string indices = sensitivity_figure(campaign, campaign.windows[0]).value();
+  EXPECT_TRUE(has(indices, "× undefined: lower run failed (did_not_converge)"));
+  const std::string profiles = profiles_figure(campaign).value();
+  EXPECT_TRUE(has(profiles, "1 failed on the way"));
+}
+
+TEST_F(Figures, SensitivityMarksNegativeAndBelowNoise) {
+  const auto campaign = run_made_up(sand_study(folder));
+  const std::string svg = sensitivity_figure(campaign, campaign.windows[0]).value();
+  EXPECT_TRUE(has(svg, ">−0.050<"));     // the chamber's radius
+  EXPECT_GT(count(svg, "#e69f00"), 1u);  // in the plot, not in the legend alone
+  EXPECT_GT(count(svg, "fill-opacity=\"0.4\""), 2u);
+  EXPECT_TRUE(has(svg, "stroke-dasharray=\"4 2.5\""));
+}
+
+TEST_F(Figures, ProfilesShadeClayAndTellTheFurthestApart) {
+  const auto layered = run_made_up(layered_study(folder));
+  const std::string svg = profiles_figure(layered).value();
+  EXPECT_GT(count(svg, "#efe4d0"), 2u);
+  EXPECT_EQ(count(svg, "<path "), layered.curves.size());
+  EXPECT_TRUE(has(svg, " = 75<"));
+  const auto sand = run_made_up(sand_study(folder));
+  EXPECT_EQ(count(profiles_figure(sand).value(), "#efe4d0"), 0u);
+}
+
+TEST_F(Figures, BaselineEnlargesEveryWindow) {
+  const auto campaign = run_made_up(layered_study(folder));
+  const std::string svg = baseline_figure(campaign).value();
+  EXPECT_EQ(count(svg, "<path "), 3u);
+  EXPECT_EQ(count(svg, "average q"), 2u);
+  EXPECT_TRUE(has(svg, "embedded clay"));
+}
+
+TEST_F(Figures, NothingToDrawIsNoFigure) {
+  Mishaps all;
+  for (int id = 1; id <= 21; ++id) all[id] = "pending";
+  const auto campaign = run_made_up(sand_study(folder), all);
+  EXPECT_FALSE(tornado_figure(campaign, campaign.windows[0]));
+  EXPECT_FALSE(sensitivity_figure(campaign, campaign.windows[0]));
+  EXPECT_FALSE(profiles_figure(campaign));
+  EXPECT_FALSE(baseline_figure(campaign));
+}
+
+TEST_F(Figures, EqualSymbolsAreToldApartByTheirGroup) {
+  auto study = layered_study(folder);
+  study.rows.push_back({solver::find_quantity("sand.rho_grains_kg_per_m3"), 2650, 2600, 2700});
+  auto campaign = run_made_up(study);
+  campaign.parameters.back().symbol = "G";  // as the clay's shear modulus
+  EXPECT_EQ(html(symbol_of(campaign, campaign.parameters.back())), "G (sand)");
+  EXPECT_EQ(html(symbol_of(campaign, parameter_of(campaign, "clay.G_kPa"))), "G (clay)");
+  EXPECT_EQ(html(symbol_of(campaign, parameter_of(campaign, "sand.H"))), "H");
+}
+
+TEST_F(Figures, LongTextsAreCutAtWholeCharacters) {
+  const std::string cut = shortened("σσσσσσσσσσσσσσσσσσσσ", 40.0, 8.0);
+  EXPECT_LE(width(plain(cut), 8.0), 40.0);
+  EXPECT_TRUE(cut.ends_with("σ…"));
+  EXPECT_EQ(escape(cut), cut);
+  EXPECT_EQ(shortened("short", 400.0, 8.0), "short");
+}
+
+}  // namespace
+}  // namespace cpt::reports

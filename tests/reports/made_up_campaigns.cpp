@@ -13,7 +13,8 @@ namespace {
 using parameters::Study;
 using parameters::Window;
 
-Study make_study(const std::filesystem::path& folder, std::string name, std::string title, solver::Profile profile) {
+Study make_study(const std::filesystem::path& folder, std::string name, std::string title,
+                 solver::Profile profile) {
   Study study;
   study.file = folder / (name + ".toml");
   study.name = std::move(name);
@@ -63,14 +64,22 @@ double factor(std::string_view quantity, bool upper) {
     std::string_view name;
     double lower, upper;
   };
-  constexpr Effect effects[] = {{"sand.lambda", 1.035, 0.963},      {"sand.G_ref", 0.995, 1.006},
-                                {"sand.phi_cs_deg", 0.965, 1.04},   {"sand.N", 1.0, 0.991},
-                                {"sand.chi_tc", 0.95, 1.21},        {"sand.nu", 1.004, 1.003},
-                                {"sand.H", 1.0, 2.05},              {"sand.D_r_percent", 0.83, 1.20},
-                                {"contact.friction_ratio", 0.87, 1.16}, {"initial.sigma_h0_kPa", 1.02, 0.975},
-                                {"chamber.radius_m", 1.05, 1.0},    {"chamber.wall", 0.78, 1.0},
-                                {"clay.n_0", 0.998, 1.003},         {"clay.s_u_kPa", 0.87, 1.12},
-                                {"clay.G_kPa", 0.94, 1.29},         {"contact.adhesion_ratio", 0.95, 1.0}};
+  constexpr Effect effects[] = {{"sand.lambda", 1.035, 0.963},
+                                {"sand.G_ref", 0.995, 1.006},
+                                {"sand.phi_cs_deg", 0.965, 1.04},
+                                {"sand.N", 1.0, 0.991},
+                                {"sand.chi_tc", 0.95, 1.21},
+                                {"sand.nu", 1.004, 1.003},
+                                {"sand.H", 1.0, 2.05},
+                                {"sand.D_r_percent", 0.83, 1.20},
+                                {"contact.friction_ratio", 0.87, 1.16},
+                                {"initial.sigma_h0_kPa", 1.02, 0.975},
+                                {"chamber.radius_m", 1.05, 1.0},
+                                {"chamber.wall", 0.78, 1.0},
+                                {"clay.n_0", 0.998, 1.003},
+                                {"clay.s_u_kPa", 0.87, 1.12},
+                                {"clay.G_kPa", 0.94, 1.29},
+                                {"contact.adhesion_ratio", 0.95, 1.0}};
   for (const Effect& effect : effects)
     if (effect.name == quantity) return upper ? effect.upper : effect.lower;
   return 1.0;
@@ -135,7 +144,8 @@ Study layered_study(const std::filesystem::path& folder) {
 
 results::Snapshot run_made_up(const Study& study, const Mishaps& mishaps) {
   const auto realizations = parameters::one_at_a_time(study);
-  results::Ledger ledger = results::Ledger::open_for_run(study, realizations, {"title = \"" + study.title + "\"\n"});
+  results::Ledger ledger =
+      results::Ledger::open_for_run(study, realizations, {"title = \"" + study.title + "\"\n"});
   for (const parameters::Realization& realization : realizations) {
     const auto mishap = mishaps.find(realization.id);
     if (mishap != mishaps.end() && mishap->second == "pending") continue;
@@ -143,8 +153,8 @@ results::Snapshot run_made_up(const Study& study, const Mishaps& mishaps) {
     outcome.status = mishap == mishaps.end() ? solver::Status::completed : status_of(mishap->second);
     const bool done = outcome.status == solver::Status::completed;
     if (!done) outcome.reason = "energy error 0.31 at 0.212 m exceeds 0.1";
-    const double scale = factor(parameters::parameter_name(study, realization),
-                                realization.side == parameters::Side::upper);
+    const double scale =
+        factor(parameters::parameter_name(study, realization), realization.side == parameters::Side::upper);
     outcome.profile = made_up_curve(study.baseline, scale, realization.id, done ? 0.55 : 0.212);
     outcome.audit = {2e-16, 4e-4, 6e-3, 0.012, 3, 2.1e-5, 3.3e-5};
     outcome.steps = 240000 + 1000 * realization.id;

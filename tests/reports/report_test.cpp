@@ -1,0 +1,137 @@
+#include "reports/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "tests/reports/made_up_campaigns.hpp"
+
+namespace cpt::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Report : public ::testing::Test {
+ protected:
+  Report() {
+    std::string name = (fs::temp_directory_path() / "cpt_report_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder");
+    folder = name;
+  }
+  ~Report() override { fs::remove_all(folder); }
+
+  static std::string read(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  static std::size_t lines(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  }
+  static bool has(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+  }
+  static int png_width(const fs::path& file) {
+    const std::string bytes = read(file);
+    int value = 0;
+    for (int i = 16; i < 20; ++i) value = value * 256 + static_cast<unsigned char>(bytes.at(i));
+    return value;
+  }
+  fs::path folder;
+};
+
+TEST_F(Report, WritesEveryFileItNames) {
+  const auto campaign = run_made_up(layered_study(folder));
+  const auto files = write_report(campaign, folder / "report");
+  ASSERT_EQ(files.size(), 1u + 2u * (2u * 2u + 2u) + 5u);
+  for (const fs::path& file : files) EXPECT_GT(fs::file_size(file), 100u) << file;
+  EXPECT_TRUE(read(folder / "report" / "tornado_embedded_sand.png").starts_with("\x89PNG"));
+  EXPECT_NEAR(png_width(folder / "report" / "profiles.png"), 400.0 / 72.0 * 300.0, 1.0);
+}
+
+TEST_F(Report, NumbersAgreeWithTheDatabase) {
+  const auto campaign = run_made_up(sand_study(folder));
+  write_report(campaign, folder / "report");
+  EXPECT_EQ(lines(read(folder / "report" / "sensitivity.csv")), 1u + campaign.sensitivity.size());
+  EXPECT_EQ(lines(read(folder / "report" / "realizations.csv")), 22u);
+  EXPECT_EQ(lines(read(folder / "report" / "window_means.csv")), 22u);
+  EXPECT_EQ(lines(read(folder / "report" / "curves.csv")),
+            1u + 21u * campaign.curves[0].profile.depth.size());
+  const std::string json = read(folder / "report" / "report.json");
+  EXPECT_TRUE(has(json, "\"parameter\": \"sand.H\""));
+  EXPECT_TRUE(has(json, "\"solver_version\""));
+}
+
+TEST_F(Report, UnfinishedCampaignSaysSoWithItsFailures) {
+  const auto campaign = run_made_up(sand_study(folder), {{5, "crashed"}, {6, "pending"}});
+  write_report(campaign, folder / "report");
+  const std::string page = read(folder / "report" / "index.html");
+  EXPECT_TRUE(has(page, "19 of 21 realizations completed, 1 failed, 1 still to run"));
+  EXPECT_TRUE(has(page, "<h2>Failed realizations</h2>"));
+  EXPECT_TRUE(has(page, "energy error 0.31 at 0.212 m exceeds 0.1"));
+}
+
+TEST_F(Report, CampaignWithoutResultsStillHasAPageAndNoStaleFigure) {
+  const auto complete = run_made_up(sand_study(folder));
+  write_report(complete, folder / "report");
+  ASSERT_TRUE(fs::exists(folder / "report" / "profiles.png"));
+  auto empty = complete;
+  empty.curves.clear();
+  empty.window_means.clear();
+  empty.sensitivity.clear();
+  const auto files = write_report(empty, folder / "report");
+  EXPECT_EQ(files.size(), 6u);
+  EXPECT_FALSE(fs::exists(folder / "report" / "profiles.png"));
+  EXPECT_FALSE(fs::exists(folder / "report" / "tornado_deep_sand.svg"));
+}
+
+TEST_F(Report, HostileNamesStayText) {
+  auto study = sand_study(folder);
+  study.title = "<script>alert('x')</script> & \"more\"";
+  study.windows[0].name = "../../<img src=x onerror=alert(1)>";
+  study.windows.push_back(study.windows[0]);
+  study.windows[1].name = "..-..-<img src=x onerror=alert(1)>";
+  const auto campaign = run_made_up(study, {{3, "crashed"}});
+  const auto files = write_report(campaign, folder / "report");
+  for (const fs::path& file : files) EXPECT_EQ(file.parent_path(), folder / "report") << file;
+  for (const fs::path& file : files) {
+    if (file.extension() != ".svg" && file.extension() != ".html") continue;
+    const std::string text = read(file);
+    EXPECT_FALSE(has(text, "<script")) << file;
+    EXPECT_FALSE(has(text, "<img")) << file;
+  }
+}
+
+TEST_F(Report, WindowsWithTheSameFileNameAreKeptApart) {
+  auto study = sand_study(folder);
+  study.windows.push_back(study.windows[0]);
+  study.windows[0].name = "a b";
+  study.windows[1].name = "a/b";
+  write_report(run_made_up(study), folder / "report");
+  EXPECT_TRUE(fs::exists(folder / "report" / "tornado_a_b.svg"));
+  EXPECT_TRUE(fs::exists(folder / "report" / "tornado_a_b-2.svg"));
+}
+
+TEST_F(Report, SameDatabaseGivesTheSameBytes) {
+  const auto campaign = run_made_up(clay_study(folder));
+  const auto first = write_report(campaign, folder / "one");
+  const auto second = write_report(campaign, folder / "two");
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(read(first[i]), read(second[i])) << first[i];
+}
+
+TEST_F(Report, UnwritableFolderIsNamed) {
+  const auto campaign = run_made_up(clay_study(folder));
+  std::ofstream(folder / "file") << "in the way";
+  try {
+    write_report(campaign, folder / "file" / "report");
+    FAIL();
+  } catch (const results::Error& error) {
+    EXPECT_TRUE(has(error.what(), "report"));
+  }
+}
+
+}  // namespace
+}  // namespace cpt::reports

@@ -1,0 +1,49 @@
+// A body in free fall: mass, momentum and shape are kept exactly, on a mesh that moves through it.
+#include <gtest/gtest.h>
+
+#include "tests/verification/small_model.hpp"
+
+namespace cpt::solver::test {
+namespace {
+
+TEST(FreeFall, KeepsMassMomentumAndShape) {
+  ModelSettings settings;
+  settings.weight_ratio[2] = 1.0;
+  MeshLayout layout = plain_layout(lines(0.0, 0.4, 4), lines(0.0, 2.0, 20));
+  const double top = 1.95, bottom = 1.05, density = 1800.0;
+  // Points only in part of the mesh; v_r = 0 and one vertical velocity.
+  Mesh mesh(layout);
+  std::vector<Point> points;
+  for (const Point& p : fill(mesh, 3, density))
+    if (p.field[1] > bottom && p.field[1] < top) points.push_back(p);
+  for (Point& p : points) p.field[3] = 0.3;
+  Laws laws;
+  laws.surcharge.emplace(1e6, 0.3);
+  settings.courant = 0.5;
+  Model model(mesh, points, std::vector<std::int32_t>(points.size(), 2), std::move(laws), settings);
+
+  double mass0 = 0.0;
+  for (const Point& p : points) mass0 += p.field[8];
+  double t = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    model.compute_nodal_forces();
+    const double dt = model.stable_time_step();
+    model.accelerate(dt);
+    model.move_points(dt);
+    t += dt;
+  }
+  double mass = 0.0, momentum = 0.0;
+  for_each_point(model, [&](const PointFields& p, std::int32_t k) {
+    mass += p.mass[k];
+    momentum += p.mass[k] * p.v_z[k];
+    EXPECT_NEAR(p.v_z[k], 0.3 - 9.81 * t, 1e-10);
+    EXPECT_NEAR(p.v_r[k], 0.0, 1e-12);
+    EXPECT_NEAR(p.s_zz[k], 0.0, 1e-4);
+  });
+  EXPECT_GT(t, 0.1);
+  EXPECT_DOUBLE_EQ(mass, mass0);
+  EXPECT_NEAR(momentum, mass0 * (0.3 - 9.81 * t), 1e-10 * mass0);
+}
+
+}  // namespace
+}  // namespace cpt::solver::test

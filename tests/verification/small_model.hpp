@@ -1,0 +1,80 @@
+// Small models for tests: any lines, any uniform fill of one material, no penetrometer.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "solver/model.hpp"
+
+namespace cpt::solver::test {
+
+/// Equally spaced lines.
+inline std::vector<double> lines(double from, double to, int cells) {
+  std::vector<double> x;
+  for (int i = 0; i <= cells; ++i) x.push_back(from + (to - from) * i / cells);
+  return x;
+}
+
+/// Straight mesh on these lines, rows joined nowhere.
+inline MeshLayout plain_layout(std::vector<double> r, std::vector<double> z) {
+  MeshLayout layout;
+  layout.offset.assign(r.size(), 0.0);
+  layout.shear.assign(z.size(), 0.0);
+  layout.i_joined = static_cast<std::int32_t>(r.size()) - 1;
+  layout.j_face = static_cast<std::int32_t>(z.size()) - 1;
+  layout.j_zone_top = layout.j_face;
+  layout.r = std::move(r);
+  layout.y = std::move(z);
+  return layout;
+}
+
+/// `per_cell` x `per_cell` points in each cell, in the centres of equal parts of natural coordinates; volumes
+/// add up to the cell's.
+inline std::vector<Point> fill(
+    const Mesh& mesh, int per_cell, double density, const std::function<void(Point&)>& set = [](Point&) {}) {
+  std::vector<Point> points;
+  for (const Cell& cell : mesh.cells()) {
+    const CellShape s = mesh.shape(cell);
+    for (int i = 0; i < per_cell; ++i)
+      for (int j = 0; j < per_cell; ++j) {
+        const double xi = -1.0 + (2.0 * i + 1.0) / per_cell, eta = -1.0 + (2.0 * j + 1.0) / per_cell;
+        const double zb = s.zb0 + s.zb1 * xi, zt = s.zt0 + s.zt1 * xi;
+        Point p{};
+        p.field[0] = s.r_c + s.a * xi;
+        p.field[1] = 0.5 * ((1.0 - eta) * zb + (1.0 + eta) * zt);
+        const double volume = p.field[0] * (2.0 * s.a / per_cell) * ((zt - zb) / per_cell);
+        p.field[8] = density * volume;
+        p.field[9] = volume;
+        p.field[10] = 0.7;
+        p.field[11] = 1e4;
+        p.id = static_cast<std::uint32_t>(points.size());
+        set(p);
+        points.push_back(p);
+      }
+  }
+  return points;
+}
+
+/// A model of one linear elastic material.
+inline Model elastic_model(
+    const MeshLayout& layout, double E, double nu, double density, const ModelSettings& settings,
+    int per_cell = 3, const std::function<void(Point&)>& set = [](Point&) {}) {
+  Mesh mesh(layout);
+  const std::vector<Point> points = fill(mesh, per_cell, density, set);
+  Laws laws;
+  laws.surcharge.emplace(E, nu);
+  return Model(mesh, points,
+               std::vector<std::int32_t>(points.size(), static_cast<std::int32_t>(Material::surcharge)),
+               std::move(laws), settings);
+}
+
+/// Calls function(fields, index in bucket) for every material point.
+template <typename Function>
+void for_each_point(const Model& model, const Function& function) {
+  for (std::int32_t b = 0; b < model.points().bucket_count(); ++b) {
+    const PointFields p = model.points().fields(model.points().bucket(b));
+    for (std::int32_t k = 0; k < model.points().bucket(b).count; ++k) function(p, k);
+  }
+}
+
+}  // namespace cpt::solver::test
