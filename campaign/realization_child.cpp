@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <string>
 
 #include "campaign/clock.hpp"
 #include "campaign/descriptors.hpp"
@@ -95,6 +96,7 @@ int serve_realization(const Simulate& simulate) {
       return 2;
     }
     report.realization = order->realization;
+    ::prctl(PR_SET_NAME, ("realization " + std::to_string(order->realization)).c_str());  // for top and ps
     Reporter reporter(order->realization);
     report.outcome = simulate(order->setup, reporter, {order->threads, order->wall_limit_seconds});
   } catch (const std::exception& problem) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int master = 0;
 constexpr int most_losses = 2;        // of ranks with the same realization, before it is given up
-constexpr double muster_limit = 2.0;  // [s] to wait for the workers' offers before the first realization starts
+constexpr double muster_limit = 0.8;  // [s] to wait for the workers' offers before the first realization starts
 
 std::string describe(const parameters::Study& study, const parameters::Realization& realization) {
   if (realization.row < 0) return "baseline";
@@ -55,8 +55,10 @@ class Master {
         busy = true;
       }
       drop_silent_ranks(now);
-      if (mustered(now)) hand_out(now);
-      display_.update(standing(now), now);
+      if (mustered(now)) {
+        hand_out(now);
+        display_.update(standing(now), now);
+      }
       if (!scheduler_.done()) executor_.nap(napping.next(busy));
     }
     executor_.kill_all();

@@ -36,6 +36,20 @@ std::vector<Inset> insets_of(const Snapshot& campaign, int baseline) {
   return insets;
 }
 
+/// Tops of the insets: each at its window's depth as far as those above and the plot's ends leave room.
+std::vector<double> beside_windows(const std::vector<Inset>& insets, const DepthPlot& whole) {
+  std::vector<double> tops;
+  double least = whole.box.y;
+  double most = whole.box.bottom() - inset_height - inset_pitch * (static_cast<double>(insets.size()) - 1.0);
+  for (const Inset& inset : insets) {
+    const double middle = whole.depth(0.5 * (inset.window->from_m + inset.window->to_m));
+    tops.push_back(std::clamp(middle - 0.5 * inset_height, least, std::max(least, most)));
+    least = tops.back() + inset_pitch;
+    most += inset_pitch;
+  }
+  return tops;
+}
+
 /// The window's depths with as much again above and below, and the q_c found there.
 DepthPlot enlarged(const solver::DepthProfile& profile, const Inset& inset, const Box& box) {
   const double thickness = inset.window->to_m - inset.window->from_m;
@@ -68,7 +82,7 @@ void draw_inset(Svg& svg, const Snapshot& campaign, const solver::DepthProfile& 
                  plot.depth(inset.window->to_m) - plot.depth(inset.window->from_m)},
                 palette::sky, 0.3);
   svg.begin_clip(box);
-  plot.draw_curve(svg, profile, {palette::ink, 1.2, {}});
+  plot.draw_curve(svg, profile, {palette::ink, 0.9, {}});
   svg.end_clip();
   const double x = plot.q_c(inset.mean->q_c_mean_kPa);
   svg.line({x, plot.depth(inset.window->from_m)}, {x, plot.depth(inset.window->to_m)},
@@ -99,15 +113,14 @@ std::optional<std::string> baseline_figure(const Snapshot& campaign) {
   const DepthPlot whole = whole_profile(campaign, {{baseline->id, *profile}}, box);
   whole.draw_ground(svg, campaign.layers, 3);
   svg.begin_clip(box);
-  whole.draw_curve(svg, *profile, {palette::ink, 1.2, {}});
+  whole.draw_curve(svg, *profile, {palette::ink, 0.9, {}});
   svg.end_clip();
   whole.draw_frame(svg);
-  double y = box.y;
-  for (const Inset& inset : insets) {
-    whole.draw_window_mark(svg, *inset.window);
-    draw_inset(svg, campaign, *profile, inset, whole,
-               {inset_left, y, figure_width - inset_left - 14.0, inset_height});
-    y += inset_pitch;
+  const std::vector<double> tops = beside_windows(insets, whole);
+  for (std::size_t i = 0; i < insets.size(); ++i) {
+    whole.draw_window_mark(svg, *insets[i].window);
+    draw_inset(svg, campaign, *profile, insets[i], whole,
+               {inset_left, tops[i], figure_width - inset_left - 14.0, inset_height});
   }
   return svg.document("Baseline: " + campaign.campaign.title);
 }

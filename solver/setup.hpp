@@ -111,7 +111,7 @@ struct Numerics {
   double mass_scaling = 1.0e4;    // [-] on inertia only
   double pic_fraction = 0.0;      // [-] 0 = FLIP, 1 = PIC
   double local_damping = 0.0;     // [-] fraction of the out-of-balance force
-  double stress_smoothing = 0.0;  // [-] share of the quadrant's average given back to its points each step
+  double stress_smoothing = 1.0;  // [-] share of the quadrant's average given back to its points each step
   double bin_height = 0.0005;     // [m] depth bin over which q_c and f_s are averaged
 };
 

@@ -14,8 +14,8 @@ struct Batch {
   double* s_zz;
   double* s_tt;
   double* s_rz;
-  double* e;    // [-] void ratio
-  double* p_i;  // [Pa] image pressure (sand; untouched by other laws)
+  double* e;           // [-] void ratio
+  double* p_i;         // [Pa] image pressure (sand; untouched by other laws)
   const double* d_rr;  // [-] strain increment of the step, tension-positive
   const double* d_zz;
   const double* d_tt;

@@ -7,7 +7,8 @@
 
 namespace cpt::solver {
 
-inline constexpr double reference_pressure = 100.0e3;  // [Pa] p_a of the critical state line and the stiffness
+inline constexpr double reference_pressure =
+    100.0e3;  // [Pa] p_a of the critical state line and the stiffness
 
 /// e_c(p) = e_cs0 - lambda (p / p_a)^m: Li & Wang (1998), parameters of Yost et al. (2023), Table 2.
 struct CriticalStateLine {
@@ -18,7 +19,9 @@ struct CriticalStateLine {
   explicit CriticalStateLine(const Sand& sand) : e_cs0(sand.e_cs0), lambda(sand.lambda), m(sand.m) {}
 
   /// Critical void ratio [-] at a mean effective stress p >= 0 [Pa].
-  [[nodiscard]] double void_ratio(double p) const { return e_cs0 - lambda * std::pow(p / reference_pressure, m); }
+  [[nodiscard]] double void_ratio(double p) const {
+    return e_cs0 - lambda * std::pow(p / reference_pressure, m);
+  }
   /// -de_c / d ln p [-].
   [[nodiscard]] double slope(double p) const { return m * lambda * std::pow(p / reference_pressure, m); }
 };

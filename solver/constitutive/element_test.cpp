@@ -27,8 +27,8 @@ Specimen strained(const Specimen& specimen, double axial, double radial) {
   return next;
 }
 
-// Radial strain that keeps the cell pressure: Illinois' method from the last step's answer, with a step outward until
-// the answer is bracketed. Raising the radial strain raises the radial stress.
+// Radial strain that keeps the cell pressure: Illinois' method from the last step's answer, with a step
+// outward until the answer is bracketed. Raising the radial strain raises the radial stress.
 std::optional<double> radial_strain(const Specimen& specimen, double axial, double cell, double guess) {
   const auto excess = [&](double radial) { return radial_stress(strained(specimen, axial, radial)) - cell; };
   const double tolerance = 1e-12 * cell;
@@ -68,22 +68,25 @@ struct Prepared {
 
 Prepared prepare(const ElementTest& test) {
   const PointStress stress = {-test.sigma_r, -test.sigma_a, -test.sigma_r, 0.0};
-  const auto void_ratio = [&](double from_material) { return std::isnan(test.e_0) ? from_material : test.e_0; };
+  const auto void_ratio = [&](double from_material) {
+    return std::isnan(test.e_0) ? from_material : test.e_0;
+  };
   return std::visit(
-      Overload{[&](const Sand& sand) {
-                 const NorSand law(sand);
-                 const double e = void_ratio(sand.e_max - sand.D_r * (sand.e_max - sand.e_min));
-                 const double p_i = std::isnan(test.p_i) ? law.initial_image_pressure(stress.rr, stress.zz, stress.tt,
-                                                                                      stress.rz, e)
-                                                         : test.p_i;
-                 return Prepared{Specimen(law, stress, e, p_i), law, CriticalStateLine(sand)};
-               },
-               [&](const Clay& clay) {
-                 return Prepared{Specimen(Tresca(clay), stress, void_ratio(clay.n_0 / (1.0 - clay.n_0))), {}, {}};
-               },
-               [&](const Elastic& elastic) {
-                 return Prepared{Specimen(LinearElastic(elastic.E, elastic.nu), stress, void_ratio(0.0)), {}, {}};
-               }},
+      Overload{
+          [&](const Sand& sand) {
+            const NorSand law(sand);
+            const double e = void_ratio(sand.e_max - sand.D_r * (sand.e_max - sand.e_min));
+            const double p_i = std::isnan(test.p_i)
+                                   ? law.initial_image_pressure(stress.rr, stress.zz, stress.tt, stress.rz, e)
+                                   : test.p_i;
+            return Prepared{Specimen(law, stress, e, p_i), law, CriticalStateLine(sand)};
+          },
+          [&](const Clay& clay) {
+            return Prepared{Specimen(Tresca(clay), stress, void_ratio(clay.n_0 / (1.0 - clay.n_0))), {}, {}};
+          },
+          [&](const Elastic& elastic) {
+            return Prepared{Specimen(LinearElastic(elastic.E, elastic.nu), stress, void_ratio(0.0)), {}, {}};
+          }},
       test.material);
 }
 
@@ -114,8 +117,12 @@ ElementResult run_element_test(const ElementTest& test) {
   result.rows.push_back(row(prepared, eps_a, eps_v));
   for (int i = 0; i < test.steps && axial_stress(prepared.specimen) < test.max_axial_stress; ++i) {
     switch (test.path) {
-      case ElementPath::oedometer: radial = 0.0; break;
-      case ElementPath::isotropic: radial = axial; break;
+      case ElementPath::oedometer:
+        radial = 0.0;
+        break;
+      case ElementPath::isotropic:
+        radial = axial;
+        break;
       case ElementPath::triaxial:
         if (test.drained) {
           const auto found = radial_strain(prepared.specimen, axial, test.sigma_r, radial);

@@ -1,4 +1,5 @@
-// Single-element tests through the same constitutive code as the push: triaxial, oedometer, isotropic compression.
+// Single-element tests through the same constitutive code as the push: triaxial, oedometer, isotropic
+// compression.
 #pragma once
 
 #include <limits>
@@ -23,13 +24,15 @@ struct ElementTest {
   ElementPath path = ElementPath::triaxial;
   bool drained = true;  ///< triaxial only: constant cell pressure, or constant volume
   std::variant<Sand, Clay, Elastic> material = Sand{};
-  double sigma_a = 100.0e3;  // [Pa] initial axial effective stress, > 0
-  double sigma_r = 100.0e3;  // [Pa] initial radial effective stress, > 0
+  double sigma_a = 100.0e3;                               // [Pa] initial axial effective stress, > 0
+  double sigma_r = 100.0e3;                               // [Pa] initial radial effective stress, > 0
   double e_0 = std::numeric_limits<double>::quiet_NaN();  // [-] initial void ratio; NaN: from D_r or n_0
-  double p_i = std::numeric_limits<double>::quiet_NaN();  // [Pa] initial image pressure; NaN: yield surface and OCR
-  double max_axial_strain = 0.25;                         // [-] > 0
-  double max_axial_stress = std::numeric_limits<double>::infinity();  // [Pa] the first row beyond it is the last
-  int steps = 250;                                                    // [-] equal steps of axial strain, >= 1
+  double p_i =
+      std::numeric_limits<double>::quiet_NaN();  // [Pa] initial image pressure; NaN: yield surface and OCR
+  double max_axial_strain = 0.25;                // [-] > 0
+  double max_axial_stress =
+      std::numeric_limits<double>::infinity();  // [Pa] the first row beyond it is the last
+  int steps = 250;                              // [-] equal steps of axial strain, >= 1
 };
 
 /// One row of the result; psi, p_i and psi_i are NaN but for sand.

@@ -7,9 +7,12 @@ namespace cpt::solver {
 const ConstitutiveKernels& constitutive_kernels() {
 #if defined(__x86_64__)
   switch (instruction_set()) {
-    case InstructionSet::avx512: return constitutive_kernels_avx512;
-    case InstructionSet::avx2: return constitutive_kernels_avx2;
-    case InstructionSet::baseline: break;
+    case InstructionSet::avx512:
+      return constitutive_kernels_avx512;
+    case InstructionSet::avx2:
+      return constitutive_kernels_avx2;
+    case InstructionSet::baseline:
+      break;
   }
 #endif
   return constitutive_kernels_baseline;

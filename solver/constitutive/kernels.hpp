@@ -1,6 +1,7 @@
 // The stress updates as compiled for one instruction set, and what they read.
 //
-// kernels_baseline.cpp, kernels_avx2.cpp and kernels_avx512.cpp hold the same code; one of them is chosen at start.
+// kernels_baseline.cpp, kernels_avx2.cpp and kernels_avx512.cpp hold the same code; one of them is chosen at
+// start.
 #pragma once
 
 #include "solver/constitutive/batch.hpp"

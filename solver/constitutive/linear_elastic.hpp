@@ -11,7 +11,8 @@ class LinearElastic {
   /// Young's modulus E > 0 [Pa], Poisson's ratio -1 < nu < 0.5 [-].
   LinearElastic(double E, double nu);
 
-  /// Updates stress and void ratio of a batch for one step; returns the P-wave modulus K + 4/3 G [Pa], a constant.
+  /// Updates stress and void ratio of a batch for one step; returns the P-wave modulus K + 4/3 G [Pa], a
+  /// constant.
   double update(const Batch& batch) const {
     kernels_->update_linear_elastic(constants_, batch);
     return constants_.lame + constants_.two_G;

@@ -9,8 +9,11 @@
 namespace cpt::solver {
 namespace {
 
-// Half width of the rounded corner in cos(1.5 theta + pi/4): 0.05 is 1.9 degrees of Lode angle.
-constexpr double corner = 0.02;
+// Half widths of the rounded corner at triaxial compression in cos(1.5 theta + pi/4). That of the yield
+// surface only keeps its rounding error small; that of the gradient keeps the direction of flow from jumping
+// there.
+constexpr double yield_corner = 1e-3;
+constexpr double flow_corner = 0.03;
 
 NorSandConstants derive(const Sand& sand) {
   NorSandConstants c{};
@@ -24,8 +27,9 @@ NorSandConstants derive(const Sand& sand) {
   c.e_min_star = sand.e_min_star;
   c.K_over_G = 2.0 * (1.0 + sand.nu) / (3.0 * (1.0 - 2.0 * sand.nu));
   c.M_tc = 6.0 * std::sin(sand.phi_cs) / (3.0 - std::sin(sand.phi_cs));
-  c.lode = c.M_tc / (3.0 + c.M_tc) / (std::sqrt(1.0 + corner * corner) - corner);
-  c.corner = corner;
+  c.lode = c.M_tc / (3.0 + c.M_tc) / (std::sqrt(1.0 + yield_corner * yield_corner) - yield_corner);
+  c.yield_corner = yield_corner;
+  c.flow_corner = flow_corner;
   c.N = sand.N;
   c.chi_tc = sand.chi_tc;
   c.chi_over_M = sand.chi_tc / c.M_tc;
@@ -41,10 +45,12 @@ NorSandConstants derive(const Sand& sand) {
 
 }  // namespace
 
-NorSand::NorSand(const Sand& sand) : constants_(derive(sand)), kernels_(&constitutive_kernels()), OCR_(sand.OCR) {}
+NorSand::NorSand(const Sand& sand)
+    : constants_(derive(sand)), kernels_(&constitutive_kernels()), OCR_(sand.OCR) {}
 
 double NorSand::initial_image_pressure(double s_rr, double s_zz, double s_tt, double s_rz, double e) const {
-  // Fixed point of p_i = p exp(eta / M_i(p_i) - 1); M_i hardly depends on p_i, so that it settles in a few rounds.
+  // Fixed point of p_i = p exp(eta / M_i(p_i) - 1); M_i hardly depends on p_i, so that it settles in a few
+  // rounds.
   double p_i = -(s_rr + s_zz + s_tt) / 3.0;
   for (int i = 0; i < 100; ++i) {
     const NorSandState s = evaluate({s_rr, s_zz, s_tt, s_rz}, e, p_i);

@@ -17,7 +17,8 @@ struct NorSandConstants {
   // Strength and dilatancy.
   double M_tc;          // [-]
   double lode;          // [-] M_tc / (3 + M_tc) over the smoothed corner's range
-  double corner;        // [-] half width of the smoothed corner at triaxial compression
+  double yield_corner;  // [-] half width of the rounded corner of the yield surface at triaxial compression
+  double flow_corner;   // [-] the same in the gradient of F
   double N;             // [-]
   double chi_tc;        // [-]
   double chi_over_M;    // [-] chi_tc / M_tc
@@ -33,18 +34,18 @@ struct NorSandConstants {
 
 /// What NorSand makes of one state; pressures and stress ratios are compression-positive.
 struct NorSandState {
-  double p;            // [Pa] mean effective stress
-  double q;            // [Pa] deviatoric stress sqrt(3 J2)
-  double sin3theta;    // [-] 13.5 J3 / q^3, 1 in triaxial compression
-  double psi;          // [-] state parameter e - e_c(p)
-  double psi_i;        // [-] state parameter at the image pressure
-  double chi_i;        // [-] dilatancy coefficient at the image pressure
-  double M_itc;        // [-] image stress ratio in triaxial compression
-  double M_i;          // [-] image stress ratio at this Lode angle
-  double p_mx;         // [Pa] limit of the image pressure
-  double D_p;          // [-] plastic dilatancy M_i - q/p
-  double G, K;         // [Pa] elastic moduli
-  double yield;        // [-] F / p: positive outside the yield surface
+  double p;          // [Pa] mean effective stress
+  double q;          // [Pa] deviatoric stress sqrt(3 J2)
+  double sin3theta;  // [-] 13.5 J3 / q^3, 1 in triaxial compression
+  double psi;        // [-] state parameter e - e_c(p)
+  double psi_i;      // [-] state parameter at the image pressure
+  double chi_i;      // [-] dilatancy coefficient at the image pressure
+  double M_itc;      // [-] image stress ratio in triaxial compression
+  double M_i;        // [-] image stress ratio at this Lode angle
+  double p_mx;       // [Pa] limit of the image pressure
+  double D_p;        // [-] plastic dilatancy M_i - q/p
+  double G, K;       // [Pa] elastic moduli
+  double yield;      // [-] F / p: positive outside the yield surface
 };
 
 }  // namespace cpt::solver

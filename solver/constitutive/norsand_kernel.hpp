@@ -1,8 +1,8 @@
 // The stress update of NorSand for a batch.
 //
-// Elastic steps use the closed form of the hypoelastic law; plastic ones start where the elastic path meets the
-// yield surface (Pegasus) and go on by modified Euler sub-steps with error control and drift correction: Sloan,
-// Abbo & Sheng, Engineering Computations 18 (2001) 121-154.
+// Elastic steps use the closed form of the hypoelastic law; plastic ones start where the elastic path meets
+// the yield surface (Pegasus) and go on by modified Euler sub-steps with error control and drift correction:
+// Sloan, Abbo & Sheng, Engineering Computations 18 (2001) 121-154.
 #pragma once
 
 #include "solver/constitutive/batch.hpp"
@@ -10,14 +10,18 @@
 
 namespace cpt::solver::CPT_KERNEL_NAMESPACE {
 
-constexpr double yield_tolerance = 1e-8;      // [-] |F| / p that counts as on the surface
-constexpr double smallest_substep = 1e-4;     // [-] fraction of the increment that is accepted whatever its error
-constexpr int substep_limit = 20000;          // [-] more than the smallest sub-step can need
+constexpr double yield_tolerance = 1e-8;  // [-] |F| / p that counts as on the surface
+constexpr double smallest_substep =
+    1e-4;                             // [-] fraction of the increment that is accepted whatever its error
+constexpr double vertex_size = 1e-4;  // [-] q / p up to which a state counts as on the axis
+constexpr double small_deviator =
+    1e-4;                             // [-] s : s / p^2 below which errors of s are no longer relative to it
+constexpr int substep_limit = 20000;  // [-] more than the smallest sub-step can need
 constexpr int crossing_limit = 30;
 constexpr int drift_limit = 8;
 
-/// p along the elastic path over the growth that the initial modulus gives: ((1 + (1-b) x)^(1/(1-b)) - 1) / x with
-/// x = K dv / p. The deviator follows in proportion, because G / K is constant.
+/// p along the elastic path over the growth that the initial modulus gives: ((1 + (1-b) x)^(1/(1-b)) - 1) / x
+/// with x = K dv / p. The deviator follows in proportion, because G / K is constant.
 CPT_INLINE Pack secant_factor(const Constants& c, Pack x) {
   const double c2 = c.b / 2.0, c3 = c2 * (2.0 * c.b - 1.0) / 3.0, c4 = c3 * (3.0 * c.b - 2.0) / 4.0;
   const double c5 = c4 * (4.0 * c.b - 3.0) / 5.0, c6 = c5 * (5.0 * c.b - 4.0) / 6.0;
@@ -66,10 +70,11 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
   return {select(m, a.p, b.p), select(m, a.s, b.s), select(m, a.p_i, b.p_i), select(m, a.e, b.e)};
 }
 
-/// One modified Euler step from y over a fraction h. error2 is the square of its relative error. `turn` is the
-/// fraction of the step, linearly, at which the deviator turns round; 1 where it does not.
-[[maybe_unused]] static State modified_euler(const Constants& c, const State& y, const Flow& f, const Strain& strain,
-                                             Pack e_growth, Pack h, Mask on_vertex, Pack& error2, Pack& turn) {
+/// One modified Euler step from y over a fraction h. error2 is the square of its relative error. `turn` is
+/// the fraction of the step, linearly, at which the deviator turns round; 1 where it does not.
+[[maybe_unused]] static State modified_euler(const Constants& c, const State& y, const Flow& f,
+                                             const Strain& strain, Pack e_growth, Pack h, Mask on_vertex,
+                                             Pack& error2, Pack& turn) {
   const Increment d1 = increment_at(f, strain, e_growth, h);
   const State middle = step(c, y, d1, e_growth, h);
   Flow f1;
@@ -81,12 +86,34 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
   const Deviator ds = 0.5 * (d2.s - d1.s);
   const Pack dp_i = 0.5 * (d2.p_i - d1.p_i) / end.p_i;
   const Pack p = at_least(end.p, splat(c.p_min));
-  const Pack stress2 = 3.0 * p * p + contract(end.s, end.s);
-  error2 = (3.0 * dp * dp + contract(ds, ds)) / stress2 + dp_i * dp_i;
+  const Pack p2 = p * p;
+  error2 = dp * dp / p2 + contract(ds, ds) / (contract(end.s, end.s) + small_deviator * p2) + dp_i * dp_i;
   const Pack q = contract(y.s, f.unit);
   const Pack q_end = at_most(contract(middle.s, f.unit), contract(end.s, f.unit));
   turn = select(less(q_end, splat(0.0)), at_least(q, splat(0.0)) / (q - q_end), splat(1.0));
   return end;
+}
+
+/// The isotropic vertex (q = 0, p = e p_i). A lane near it stays there if, starting on the axis in the
+/// direction of the strain deviator, it is driven back: then plastic flow is volumetric and keeps q = 0.
+/// Replaces the step of lanes that stay or that went beyond the axis; returns those that stay.
+[[maybe_unused]] static Mask step_near_axis(const Constants& c, const State& now, const Strain& strain,
+                                            Pack e_growth, Pack h, Mask near, Mask beyond, State& next,
+                                            Pack& error2) {
+  const State axis = {now.p, Deviator{}, now.p_i, now.e};
+  Flow f;
+  flow_at(c, axis, strain.d, none(), f);
+  Pack axis_error2, turn;
+  State end = modified_euler(c, axis, f, strain, e_growth, h, none(), axis_error2, turn);
+  const Mask stays = near & less(turn, splat(1.0));
+  next = select(near & beyond, end, next);
+  error2 = select(near & beyond, axis_error2, error2);
+  if (!any(stays)) return stays;
+  flow_at(c, axis, strain.d, stays, f);
+  end = modified_euler(c, axis, f, {strain.v, Deviator{}}, e_growth, h, stays, axis_error2, turn);
+  next = select(stays, end, next);
+  error2 = select(stays, axis_error2, error2);
+  return stays;
 }
 
 /// Brings lanes back to the yield surface at constant strain.
@@ -109,8 +136,8 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
 }
 
 /// Fraction of the increment at which the elastic path leaves the yield surface for the last time.
-[[maybe_unused]] static Pack crossing(const Constants& c, const ElasticPath& path, const Image& start_image, Pack F_0,
-                                      Pack F_1, Mask inside, Mask reversing) {
+[[maybe_unused]] static Pack crossing(const Constants& c, const ElasticPath& path, const Image& start_image,
+                                      Pack F_0, Pack F_1, Mask inside, Mask reversing) {
   const auto yield_at = [&](Pack t) __attribute__((always_inline)) {
     const State y = path.at(c, t);
     const Pack p = at_least(y.p, splat(c.p_min));
@@ -146,8 +173,8 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
 }
 
 /// Carries the lanes of `plastic` from the start of the path to its end through yield; others keep `y`.
-[[maybe_unused]] static void integrate_plastic(const Constants& c, const ElasticPath& path, Pack F_1, Mask plastic,
-                                               State& y) {
+[[maybe_unused]] static void integrate_plastic(const Constants& c, const ElasticPath& path, Pack F_1,
+                                               Mask plastic, State& y) {
   Strain strain = path.strain;
   Pack e_growth = path.e_growth;
   State now = path.start;
@@ -170,27 +197,16 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
   for (int i = 0; i < substep_limit; ++i) {
     const Pack rest = 1.0 - done;
     const Pack h = at_most(length, rest);
-    Pack error2;
-    Pack turn;
+    Pack error2, turn;
     State next = modified_euler(c, now, f, strain, e_growth, h, none(), error2, turn);
-    // A step beyond the axis meets the isotropic vertex, where q = 0 and plastic flow is volumetric: up to there by
-    // shorter steps, then on the vertex.
+    // A step beyond the axis is shortened until it ends near it; there the vertex takes over.
     const Mask shortest = at_most_mask(h, splat(smallest_substep));
-    const Mask beyond = active & less(turn, splat(1.0));
-    const Mask near = at_most_mask(contract(now.s, f.unit), c.tolerance * f.p) | shortest;
-    const Mask on_vertex = beyond & near, too_far = beyond & !near;
-    if (any(on_vertex)) {
-      State axis = now;
-      axis.s = Deviator{};
-      Flow f_axis;
-      flow_at(c, axis, strain.d, on_vertex, f_axis);
-      Pack error2_axis;
-      const Strain volumetric = {strain.v, Deviator{}};
-      const State next_axis = modified_euler(c, axis, f_axis, volumetric, e_growth, h, on_vertex, error2_axis,
-                                             turn);
-      next = select(on_vertex, next_axis, next);
-      error2 = select(on_vertex, error2_axis, error2);
-    }
+    const Mask beyond = less(turn, splat(1.0));
+    const Mask near =
+        active & (at_most_mask(1.5 * contract(now.s, f.unit), vertex_size * f.p) | (beyond & shortest));
+    const Mask too_far = beyond & !near;
+    Mask on_vertex = none();
+    if (any(near)) on_vertex = step_near_axis(c, now, strain, e_growth, h, near, beyond, next, error2);
     const Mask defined = at_most_mask(error2, splat(1e300));
     const Mask accepted = active & !too_far & (at_most_mask(error2, tolerance2) | shortest | !defined);
     if (any(accepted)) {
@@ -234,7 +250,8 @@ struct Stress {
 };
 
 /// Elastic restart of lanes below p_min: the part of the increment that brings p back to p_min is used up.
-[[maybe_unused]] static void recompress(const Constants& c, Mask loose, State& y, Strain& strain, Stress& stress) {
+[[maybe_unused]] static void recompress(const Constants& c, Mask loose, State& y, Strain& strain,
+                                        Stress& stress) {
   const Pack K = c.K_over_G * shear_modulus(c, log(splat(c.p_min)), y.e);
   const Pack growth = K * strain.v;
   const Pack missing = c.p_min - y.p;
@@ -250,8 +267,9 @@ struct Stress {
 }
 
 /// The whole update of one pack that the elastic path alone does not settle.
-[[maybe_unused]] static void update_slowly(const Constants& c, const ElasticPath& path, const State& trial, Pack F,
-                                           Mask slow, Mask contracting, Pack e_end, State& y, Stress& stress) {
+[[maybe_unused]] static void update_slowly(const Constants& c, const ElasticPath& path, const State& trial,
+                                           Pack F, Mask slow, Mask contracting, Pack e_end, State& y,
+                                           Stress& stress) {
   y = trial;
   const Mask plastic = slow & greater(F, splat(yield_tolerance));
   if (any(plastic)) integrate_plastic(c, path, F, plastic, y);
@@ -268,8 +286,8 @@ CPT_INLINE Pack update_pack(const Constants& c, const Batch& batch, decltype(bat
   const Pack d_rr = load(batch.d_rr + k), d_zz = load(batch.d_zz + k), d_tt = load(batch.d_tt + k);
   const Pack d_rz = load(batch.d_rz + k);
   // Zero, or NaN for a lane with anything non-finite: added to the results.
-  const Pack poison = 0.0 * (((stress.rr + stress.zz) + (stress.tt + stress.rz)) + ((d_rr + d_zz) + (d_tt + d_rz)) +
-                             (e + p_i));
+  const Pack poison = 0.0 * (((stress.rr + stress.zz) + (stress.tt + stress.rz)) +
+                             ((d_rr + d_zz) + (d_tt + d_rz)) + (e + p_i));
 
   Strain strain;
   strain.v = -(d_rr + d_zz + d_tt);
@@ -301,7 +319,8 @@ CPT_INLINE Pack update_pack(const Constants& c, const Batch& batch, decltype(bat
   const Pack dp = factor * (path.K * strain.v);
   const Deviator ds = (factor * path.two_G) * strain.d;
   State end = {y.p + dp, y.s + ds, y.p_i, e_end};
-  stress = {stress.rr - (dp + ds.rr), stress.zz - (dp + ds.zz), stress.tt - (dp - ds.rr - ds.zz), stress.rz - ds.rz};
+  stress = {stress.rr - (dp + ds.rr), stress.zz - (dp + ds.zz), stress.tt - (dp - ds.rr - ds.zz),
+            stress.rz - ds.rz};
 
   Pack p = at_least(end.p, splat(c.p_min));
   Pack log_p = log(p);

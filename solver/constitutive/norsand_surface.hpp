@@ -47,12 +47,12 @@ struct Strain {
 
 /// What the image pressure and the void ratio decide.
 struct Image {
-  Pack log_p_i;     // [-] ln(p_i / 1 Pa)
-  Pack slope;       // [-] m lambda (p_i / p_a)^m: local slope of the critical state line in ln p
-  Pack psi;         // [-] e - e_c(p_i)
-  Pack chi;         // [-] chi_tc / (1 - slope chi_tc / M_tc)
-  Pack M_itc;       // [-] M_tc - N chi |psi|
-  Pack log_p_mx;    // [-] ln(p_mx / p) = -chi psi / M_itc
+  Pack log_p_i;   // [-] ln(p_i / 1 Pa)
+  Pack slope;     // [-] m lambda (p_i / p_a)^m: local slope of the critical state line in ln p
+  Pack psi;       // [-] e - e_c(p_i)
+  Pack chi;       // [-] chi_tc / (1 - slope chi_tc / M_tc)
+  Pack M_itc;     // [-] M_tc - N chi |psi|
+  Pack log_p_mx;  // [-] ln(p_mx / p) = -chi psi / M_itc
 };
 
 /// Only psi and what follows from it depend on e: the rest is kept.
@@ -73,19 +73,19 @@ CPT_INLINE Image image_at(const Constants& c, Pack p_i, Pack e) {
   return image;
 }
 
-/// M(theta) / M_tc with c' (w - delta), w = sqrt((1 - sin 3theta) / 2 + delta^2), for cos(1.5 theta + pi/4):
-/// unchanged at triaxial compression and extension, smooth in between.
+/// M(theta) / M_tc = 1 - M_tc / (3 + M_tc) x with x = cos(1.5 theta + pi/4) = sqrt((1 - sin 3theta) / 2), but
+/// for a tiny rounding that leaves triaxial compression and extension unchanged.
 struct Lode {
   Pack sin3theta;
-  Pack w;
+  Pack x2;
   Pack ratio;  // M(theta) / M_tc
 };
 /// `unit` is the deviator divided by q.
 CPT_INLINE Lode lode_at(const Constants& c, const Deviator& unit) {
   Lode lode;
   lode.sin3theta = at_most(at_least(13.5 * determinant(unit), splat(-1.0)), splat(1.0));
-  lode.w = sqrt(0.5 - 0.5 * lode.sin3theta + c.corner * c.corner);
-  lode.ratio = 1.0 - c.lode * (lode.w - c.corner);
+  lode.x2 = 0.5 - 0.5 * lode.sin3theta;
+  lode.ratio = 1.0 - c.lode * (sqrt(lode.x2 + c.yield_corner * c.yield_corner) - c.yield_corner);
   return lode;
 }
 
@@ -104,22 +104,22 @@ CPT_INLINE Pack yield_value(const Constants& c, Pack p, Pack log_p, const Deviat
 
 /// Everything a plastic increment needs at a state; n and m are gradients of F, in p and in the deviator.
 struct Flow {
-  Pack p, log_p;      // [Pa] with the floor p_min
+  Pack p, log_p;  // [Pa] with the floor p_min
   Image image;
-  Pack yield;         // [-] F / p
-  Pack G, K;          // [Pa]
-  Pack n_p;           // [-] dF/dp = D_p
-  Deviator n, m;      // [-] dF/ds and the deviatoric flow direction
-  Deviator unit;      // [-] s / q, or the direction of the strain deviator at the vertex
-  Pack hardening;     // [Pa] dp_i / dlambda
-  Pack yield_e;       // [Pa] dF/de
-  Pack stiffness;     // [Pa] n : D : m - dF/dp_i hardening
+  Pack yield;      // [-] F / p
+  Pack G, K;       // [Pa]
+  Pack n_p;        // [-] dF/dp = D_p
+  Deviator n, m;   // [-] dF/ds and the deviatoric flow direction
+  Deviator unit;   // [-] s / q, or the direction of the strain deviator at the vertex
+  Pack hardening;  // [Pa] dp_i / dlambda
+  Pack yield_e;    // [Pa] dF/de
+  Pack stiffness;  // [Pa] n : D : m - dF/dp_i hardening
 };
 
 /// At the isotropic vertex the direction of s is undefined: with `on_vertex` plastic flow is volumetric only,
 /// elsewhere it follows the strain deviator.
-[[maybe_unused]] static void flow_at(const Constants& c, const State& y, const Deviator& strain, Mask on_vertex,
-                                     Flow& f) {
+[[maybe_unused]] static void flow_at(const Constants& c, const State& y, const Deviator& strain,
+                                     Mask on_vertex, Flow& f) {
   f.p = at_least(y.p, splat(c.p_min));
   f.log_p = log(f.p);
   const Pack inverse_p = 1.0 / f.p;
@@ -145,11 +145,12 @@ struct Flow {
   f.n_p = M_i - eta;
 
   // dF/ds = 3/2 unit - (q / g) dg/dsin3theta dsin3theta/ds, with p M_i (1 + ln(p_i/p)) = q on the surface.
-  const Pack a = 0.25 * c.lode / (lode.w * lode.ratio);
+  // The rounding of the corner is that of the flow rule.
+  const Pack a = 0.25 * c.lode / (sqrt(lode.x2 + c.flow_corner * c.flow_corner) * lode.ratio);
   const Pack hoop = f.unit.rr + f.unit.zz;
   const Pack shear2 = f.unit.rz * f.unit.rz;
-  const Deviator square = {f.unit.rr * f.unit.rr + shear2 - 2.0 / 9.0, f.unit.zz * f.unit.zz + shear2 - 2.0 / 9.0,
-                           hoop * f.unit.rz};
+  const Deviator square = {f.unit.rr * f.unit.rr + shear2 - 2.0 / 9.0,
+                           f.unit.zz * f.unit.zz + shear2 - 2.0 / 9.0, hoop * f.unit.rz};
   const Deviator turn = a * (13.5 * square - 4.5 * lode.sin3theta * f.unit);
   f.n = select(undirected, Deviator{}, 1.5 * f.unit - turn);
   f.m = c.associated != 0.0 ? f.n : 1.5 * f.unit;
@@ -157,7 +158,8 @@ struct Flow {
   // Hardening: dp_i / de_q^p = p_i H (M_i / M_itc) (p / p_i)^x (p_mx / p - p_i / p).
   const Pack ratio = y.p_i * inverse_p;
   const Pack power = exp(c.hardening_exponent * (f.log_p - image.log_p_i));
-  const Pack shear = select(undirected, splat(1.0), sqrt((2.0 / 3.0) * contract(f.m, f.m)));  // de_q^p / dlambda
+  const Pack shear =
+      select(undirected, splat(1.0), sqrt((2.0 / 3.0) * contract(f.m, f.m)));  // de_q^p / dlambda
   f.hardening = c.H * y.p_i * lode.ratio * power * (exp(image.log_p_mx) - ratio) * shear;
 
   // F depends on p_i directly and through M_itc, and on e through M_itc.

@@ -1,8 +1,8 @@
 // A pack: as many doubles as one vector register of the instruction set this file is compiled for holds.
 //
 // Arithmetic is that of GCC's vector extension; masks, selections and roots are given here. Every function is
-// internal and inlined, so that code for one instruction set cannot be linked into a program built for another.
-// Each lane depends on its own data only. Compile with CPT_KERNEL_NAMESPACE defined.
+// internal and inlined, so that code for one instruction set cannot be linked into a program built for
+// another. Each lane depends on its own data only. Compile with CPT_KERNEL_NAMESPACE defined.
 #pragma once
 
 #if defined(__x86_64__)
@@ -69,7 +69,9 @@ CPT_INLINE Mask at_most_mask(Pack a, Pack b) { return {reinterpret_cast<Bits>(a 
 
 #if defined(__AVX2__)
 CPT_INLINE bool any(Mask a) { return _mm256_movemask_pd(reinterpret_cast<Pack>(a.bits)) != 0; }
-CPT_INLINE Pack select(Mask m, Pack a, Pack b) { return _mm256_blendv_pd(b, a, reinterpret_cast<Pack>(m.bits)); }
+CPT_INLINE Pack select(Mask m, Pack a, Pack b) {
+  return _mm256_blendv_pd(b, a, reinterpret_cast<Pack>(m.bits));
+}
 CPT_INLINE Pack at_least(Pack x, Pack low) { return _mm256_max_pd(low, x); }
 CPT_INLINE Pack at_most(Pack x, Pack high) { return _mm256_min_pd(high, x); }
 CPT_INLINE Pack sqrt(Pack x) { return _mm256_sqrt_pd(x); }
@@ -91,7 +93,9 @@ CPT_INLINE Pack sqrt(Pack x) { return Pack{__builtin_sqrt(x[0]), __builtin_sqrt(
 
 CPT_INLINE Mask greater(Pack a, Pack b) { return less(b, a); }
 CPT_INLINE bool all(Mask a) { return !any(!a); }
-CPT_INLINE Pack abs(Pack x) { return reinterpret_cast<Pack>(reinterpret_cast<Bits>(x) & 0x7fffffffffffffffULL); }
+CPT_INLINE Pack abs(Pack x) {
+  return reinterpret_cast<Pack>(reinterpret_cast<Bits>(x) & 0x7fffffffffffffffULL);
+}
 CPT_INLINE double largest(Pack x) {
   double r = x[0];
   for (int i = 1; i < lanes; ++i) r = x[i] > r ? x[i] : r;

@@ -21,10 +21,11 @@ CPT_INLINE Pack log(Pack x) {
   const Pack f = reinterpret_cast<Pack>(bits - ((biased - 1024ULL) << 52)) - 1.0;
   const Pack s = f / (2.0 + f);
   const Pack z = s * s, w = z * z;
-  const Pack odd = w * (3.999999999940941908e-01 + w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01));
-  const Pack even = z * (6.666666666666735130e-01 +
-                         w * (2.857142874366239149e-01 +
-                              w * (1.818357216161805012e-01 + w * 1.479819860511658591e-01)));
+  const Pack odd =
+      w * (3.999999999940941908e-01 + w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01));
+  const Pack even =
+      z * (6.666666666666735130e-01 +
+           w * (2.857142874366239149e-01 + w * (1.818357216161805012e-01 + w * 1.479819860511658591e-01)));
   const Pack half_square = 0.5 * f * f;
   const Pack value = k * ln2_high - ((half_square - (s * (half_square + (odd + even)) + k * ln2_low)) - f);
   const Mask valid = less(splat(0.0), x) & less(x, splat(__builtin_inf()));
@@ -34,7 +35,8 @@ CPT_INLINE Pack log(Pack x) {
 /// e^x; x is limited to [-700, 700], NaN stays NaN.
 CPT_INLINE Pack exp(Pack x) {
   x = at_most(at_least(x, splat(-700.0)), splat(700.0));
-  constexpr double to_integer = 6755399441055744.0;  // 1.5 * 2^52: the sum's last bits are the nearest integer
+  constexpr double to_integer =
+      6755399441055744.0;  // 1.5 * 2^52: the sum's last bits are the nearest integer
   const Pack shifted = x * 1.4426950408889634 + to_integer;
   const Pack k = shifted - to_integer;
   const Pack r = (x - k * ln2_high) - k * ln2_low;

@@ -11,8 +11,8 @@ namespace cpt::solver {
 /// Holds the state of one point and a law; copies are independent.
 class Specimen {
  public:
-  /// `law` is any class with `update(const Batch&)`; it is copied. Stress in Pa, tension-positive; p_i matters to
-  /// NorSand only.
+  /// `law` is any class with `update(const Batch&)`; it is copied. Stress in Pa, tension-positive; p_i
+  /// matters to NorSand only.
   template <typename Law>
   Specimen(const Law& law, const PointStress& stress, double e, double p_i = 0.0)
       : update_([law](const Batch& batch) { return law.update(batch); }), stress_(stress), e_(e), p_i_(p_i) {}
@@ -23,7 +23,9 @@ class Specimen {
   [[nodiscard]] const PointStress& stress() const { return stress_; }
   [[nodiscard]] double e() const { return e_; }
   [[nodiscard]] double p_i() const { return p_i_; }
-  [[nodiscard]] double p() const { return -(stress_.rr + stress_.zz + stress_.tt) / 3.0; }  // [Pa] mean stress
+  [[nodiscard]] double p() const {
+    return -(stress_.rr + stress_.zz + stress_.tt) / 3.0;
+  }  // [Pa] mean stress
   /// Largest P-wave modulus [Pa] that the last update returned.
   [[nodiscard]] double modulus() const { return modulus_; }
 

@@ -5,7 +5,8 @@
 namespace cpt::solver {
 
 Tresca::Tresca(const Clay& clay)
-    : constants_{LinearElastic::constants(clay.G, clay.nu), clay.s_u}, kernels_(&constitutive_kernels()),
+    : constants_{LinearElastic::constants(clay.G, clay.nu), clay.s_u},
+      kernels_(&constitutive_kernels()),
       modulus_(constants_.elastic.lame + constants_.elastic.two_G) {}
 
 }  // namespace cpt::solver

@@ -7,13 +7,14 @@
 
 namespace cpt::solver {
 
-/// Hooke's law up to sigma_1 - sigma_3 = 2 s_u, then the exact return to the hexagon with its corners (associated,
-/// so that plastic flow keeps the volume).
+/// Hooke's law up to sigma_1 - sigma_3 = 2 s_u, then the exact return to the hexagon with its corners
+/// (associated, so that plastic flow keeps the volume).
 class Tresca {
  public:
   explicit Tresca(const Clay& clay);
 
-  /// Updates stress and void ratio of a batch for one step; returns the P-wave modulus K + 4/3 G [Pa], a constant.
+  /// Updates stress and void ratio of a batch for one step; returns the P-wave modulus K + 4/3 G [Pa], a
+  /// constant.
   double update(const Batch& batch) const {
     kernels_->update_tresca(constants_, batch);
     return modulus_;

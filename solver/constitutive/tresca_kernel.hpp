@@ -30,12 +30,13 @@ CPT_INLINE void store_stress(const Batch& b, decltype(b.size) k, const Trial& t)
 }
 
 [[maybe_unused]] static void update_linear_elastic(const ElasticConstants& c, const Batch& batch) {
-  for (decltype(batch.size) k = 0; k < batch.size; k += lanes) store_stress(batch, k, elastic_trial(c, batch, k));
+  for (decltype(batch.size) k = 0; k < batch.size; k += lanes)
+    store_stress(batch, k, elastic_trial(c, batch, k));
 }
 
-/// Exact return to the hexagon: the middle principal deviator keeps its value within -+ 2 s_u / 3 (its value at the
-/// corners), the outer two lie s_u to either side of minus half of it. The pressure and the principal directions
-/// stay. No order of the principal stresses is assumed but a >= b in the plane.
+/// Exact return to the hexagon: the middle principal deviator keeps its value within -+ 2 s_u / 3 (its value
+/// at the corners), the outer two lie s_u to either side of minus half of it. The pressure and the principal
+/// directions stay. No order of the principal stresses is assumed but a >= b in the plane.
 CPT_INLINE Trial return_to_tresca(double s_u, const Trial& s) {
   const Pack centre = 0.5 * (s.rr + s.zz), half = 0.5 * (s.rr - s.zz);
   const Pack radius = sqrt(half * half + s.rz * s.rz);
@@ -54,8 +55,9 @@ CPT_INLINE Trial return_to_tresca(double s_u, const Trial& s) {
   const Pack centre_new = 0.5 * (a_new + b_new);
   const Pack shrink = 0.5 * (a_new - b_new) / at_least(radius, splat(1e-300));
   const Mask outside = greater(largest_stress - smallest_stress, splat(2.0 * s_u));
-  return {select(outside, centre_new + shrink * half, s.rr), select(outside, centre_new - shrink * half, s.zz),
-          select(outside, t_new, s.tt), select(outside, shrink * s.rz, s.rz)};
+  return {select(outside, centre_new + shrink * half, s.rr),
+          select(outside, centre_new - shrink * half, s.zz), select(outside, t_new, s.tt),
+          select(outside, shrink * s.rz, s.rz)};
 }
 
 [[maybe_unused]] static void update_tresca(const TrescaConstants& c, const Batch& batch) {

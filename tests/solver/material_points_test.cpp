@@ -1,0 +1,55 @@
+// The bucket store: nothing is lost or doubled however points move.
+#include "solver/material_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+namespace cpt::solver {
+namespace {
+
+TEST(MaterialPoints, KeepsEveryPointThroughManyMoves) {
+  const std::int32_t cells = 20;
+  std::vector<Point> points;
+  std::vector<std::int32_t> bucket_of;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    Point p{};
+    for (int f = 0; f < field_count; ++f) p.field[f] = i * 100.0 + f;
+    p.id = i;
+    points.push_back(p);
+    bucket_of.push_back(static_cast<std::int32_t>(i % 7) * material_count + static_cast<std::int32_t>(i % 3));
+  }
+  MaterialPoints store(points, bucket_of, cells);
+  std::mt19937 random(3);
+  for (int move = 0; move < 5000; ++move) {
+    const auto from = static_cast<std::int32_t>(random() % (cells * material_count));
+    if (store.bucket(from).count == 0) continue;
+    const auto slot = static_cast<std::int32_t>(random() % static_cast<unsigned>(store.bucket(from).count));
+    auto to = static_cast<std::int32_t>(random() % (cells * material_count));
+    if (to == from) continue;
+    store.move(from, slot, to);
+  }
+  std::map<std::uint32_t, int> seen;
+  for (std::int32_t b = 0; b < store.bucket_count(); ++b) {
+    const Bucket& bucket = store.bucket(b);
+    EXPECT_EQ(bucket.begin % 8, 0U);
+    EXPECT_LE(bucket.count, bucket.capacity);
+    const PointFields p = store.fields(bucket);
+    for (std::int32_t k = 0; k < bucket.count; ++k) {
+      const std::uint32_t id = store.id(bucket.begin + static_cast<std::size_t>(k));
+      ++seen[id];
+      EXPECT_EQ(p.r[k], id * 100.0);
+      EXPECT_EQ(p.load[k], id * 100.0 + field_count - 1);
+    }
+    for (std::size_t k = static_cast<std::size_t>(bucket.count); k < bucket.padded(); ++k) {
+      EXPECT_EQ(p.mass[k], 0.0);
+      EXPECT_EQ(p.volume[k], 0.0);
+    }
+  }
+  EXPECT_EQ(seen.size(), 300U);
+  for (const auto& [id, count] : seen) EXPECT_EQ(count, 1) << id;
+}
+
+}  // namespace
+}  // namespace cpt::solver
