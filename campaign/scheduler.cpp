@@ -18,7 +18,15 @@ std::vector<int> Scheduler::lose_rank(int rank) {
     if (running.rank == rank) lost.push_back(realization);
   for (const int realization : lost) running_.erase(realization);
   pending_.insert(pending_.begin(), lost.begin(), lost.end());
-  ranks_.erase(rank);
+  if (const auto gone = ranks_.find(rank); gone != ranks_.end()) {
+    const Rank offer = gone->second;
+    ranks_.erase(gone);
+    for (auto& [other, heir] : ranks_) {
+      if (heir.node != offer.node) continue;
+      heir.slots += offer.slots;
+      break;
+    }
+  }
   return lost;
 }
 

@@ -34,7 +34,8 @@ class Scheduler {
 
   /// A rank offers slots; 0 slots are allowed. Throws std::invalid_argument if the rank is known already.
   void add_rank(int rank, int node, int slots);
-  /// The rank is gone: its running realizations are pending again, before all others. Returns them.
+  /// The rank is gone: its running realizations are pending again, before all others. Returns them. Its slots go to
+  /// another rank of its node, if there is one: the cores are still there.
   std::vector<int> lose_rank(int rank);
 
   /// The next realization to start, which is then running; nullopt if none is pending or no slot is free.

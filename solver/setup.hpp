@@ -107,7 +107,7 @@ struct Numerics {
   double above_height = 0.0125;      // [m] height of the rows of the stretching zone at the start
   std::vector<PointZone> zones = {{0.06, 70, 325.0}, {0.12, 25, 200.0}, {0.24, 35, 150.0}, {0.45, 20, 125.0}};
   double point_shift = 0.0;       // [-] shift of the point grid, fraction of the spacing, in [-0.5, 0.5]
-  double courant = 0.8;           // [-]
+  double courant = 0.95;           // [-]
   double mass_scaling = 1.0e4;    // [-] on inertia only
   double pic_fraction = 0.0;      // [-] 0 = FLIP, 1 = PIC
   double local_damping = 0.0;     // [-] fraction of the out-of-balance force

@@ -1,12 +1,10 @@
 #include "solver/constitutive/element_test.hpp"
 
 #include <cmath>
-#include <optional>
 
 #include "solver/constitutive/critical_state_line.hpp"
 #include "solver/constitutive/linear_elastic.hpp"
 #include "solver/constitutive/norsand.hpp"
-#include "solver/constitutive/specimen.hpp"
 #include "solver/constitutive/tresca.hpp"
 
 namespace cpt::solver {
@@ -27,11 +25,56 @@ Specimen strained(const Specimen& specimen, double axial, double radial) {
   return next;
 }
 
-// Radial strain that keeps the cell pressure: Illinois' method from the last step's answer, with a step
+struct Prepared {
+  Specimen specimen;
+  std::optional<CriticalStateLine> line;
+};
+
+Prepared prepare(const ElementTest& test) {
+  const PointStress stress = {-test.sigma_r, -test.sigma_a, -test.sigma_r, 0.0};
+  const auto void_ratio = [&](double from_material) {
+    return std::isnan(test.e_0) ? from_material : test.e_0;
+  };
+  return std::visit(
+      Overload{[&](const Sand& sand) {
+                 const NorSand law(sand);
+                 const double e = void_ratio(sand.e_max - sand.D_r * (sand.e_max - sand.e_min));
+                 const double p_i = std::isnan(test.p_i) ? law.initial_image_pressure(stress.rr, stress.zz,
+                                                                                      stress.tt, stress.rz, e)
+                                                         : test.p_i;
+                 return Prepared{Specimen(law, stress, e, p_i), CriticalStateLine(sand)};
+               },
+               [&](const Clay& clay) {
+                 return Prepared{Specimen(Tresca(clay), stress, void_ratio(clay.n_0 / (1.0 - clay.n_0))), {}};
+               },
+               [&](const Elastic& elastic) {
+                 return Prepared{Specimen(LinearElastic(elastic.E, elastic.nu), stress, void_ratio(0.0)), {}};
+               }},
+      test.material);
+}
+
+ElementRow row(const Prepared& prepared, double eps_a, double eps_v) {
+  const Specimen& s = prepared.specimen;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  ElementRow r{eps_a, eps_v, axial_stress(s) - radial_stress(s), s.p(), s.e(), nan, nan, nan};
+  if (prepared.line) {
+    r.psi = s.e() - prepared.line->void_ratio(s.p());
+    r.p_i = s.p_i();
+    r.psi_i = s.e() - prepared.line->void_ratio(s.p_i());
+  }
+  return r;
+}
+
+}  // namespace
+
+// Illinois' method from the last step's answer, with a step
 // outward until the answer is bracketed. Raising the radial strain raises the radial stress.
-std::optional<double> radial_strain(const Specimen& specimen, double axial, double cell, double guess) {
-  const auto excess = [&](double radial) { return radial_stress(strained(specimen, axial, radial)) - cell; };
-  const double tolerance = 1e-12 * cell;
+std::optional<double> drained_radial_strain(const Specimen& specimen, double axial, double cell_pressure,
+                                            double guess) {
+  const auto excess = [&](double radial) {
+    return radial_stress(strained(specimen, axial, radial)) - cell_pressure;
+  };
+  const double tolerance = 1e-12 * cell_pressure;
   double reach = std::abs(axial);
   double a = guess, f_a = excess(a);
   if (std::abs(f_a) <= tolerance) return a;
@@ -60,50 +103,6 @@ std::optional<double> radial_strain(const Specimen& specimen, double axial, doub
   return b;
 }
 
-struct Prepared {
-  Specimen specimen;
-  std::optional<NorSand> norsand;
-  std::optional<CriticalStateLine> line;
-};
-
-Prepared prepare(const ElementTest& test) {
-  const PointStress stress = {-test.sigma_r, -test.sigma_a, -test.sigma_r, 0.0};
-  const auto void_ratio = [&](double from_material) {
-    return std::isnan(test.e_0) ? from_material : test.e_0;
-  };
-  return std::visit(
-      Overload{
-          [&](const Sand& sand) {
-            const NorSand law(sand);
-            const double e = void_ratio(sand.e_max - sand.D_r * (sand.e_max - sand.e_min));
-            const double p_i = std::isnan(test.p_i)
-                                   ? law.initial_image_pressure(stress.rr, stress.zz, stress.tt, stress.rz, e)
-                                   : test.p_i;
-            return Prepared{Specimen(law, stress, e, p_i), law, CriticalStateLine(sand)};
-          },
-          [&](const Clay& clay) {
-            return Prepared{Specimen(Tresca(clay), stress, void_ratio(clay.n_0 / (1.0 - clay.n_0))), {}, {}};
-          },
-          [&](const Elastic& elastic) {
-            return Prepared{Specimen(LinearElastic(elastic.E, elastic.nu), stress, void_ratio(0.0)), {}, {}};
-          }},
-      test.material);
-}
-
-ElementRow row(const Prepared& prepared, double eps_a, double eps_v) {
-  const Specimen& s = prepared.specimen;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  ElementRow r{eps_a, eps_v, axial_stress(s) - radial_stress(s), s.p(), s.e(), nan, nan, nan};
-  if (prepared.line) {
-    r.psi = s.e() - prepared.line->void_ratio(s.p());
-    r.p_i = s.p_i();
-    r.psi_i = s.e() - prepared.line->void_ratio(s.p_i());
-  }
-  return r;
-}
-
-}  // namespace
-
 ElementResult run_element_test(const ElementTest& test) {
   ElementResult result;
   if (!(test.sigma_a > 0.0 && test.sigma_r > 0.0 && test.max_axial_strain > 0.0 && test.steps >= 1)) {
@@ -125,7 +124,7 @@ ElementResult run_element_test(const ElementTest& test) {
         break;
       case ElementPath::triaxial:
         if (test.drained) {
-          const auto found = radial_strain(prepared.specimen, axial, test.sigma_r, radial);
+          const auto found = drained_radial_strain(prepared.specimen, axial, test.sigma_r, radial);
           if (!found) {
             result.problem = "no radial strain keeps the cell pressure";
             return result;

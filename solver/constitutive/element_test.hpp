@@ -3,10 +3,12 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "solver/constitutive/specimen.hpp"
 #include "solver/setup.hpp"
 
 namespace cpt::solver {
@@ -53,5 +55,10 @@ struct ElementResult {
 };
 
 [[nodiscard]] ElementResult run_element_test(const ElementTest& test);
+
+/// Radial strain increment [-] (compression-positive) that, with an axial one, brings the radial stress to
+/// the cell pressure [Pa]; `guess` is the last step's answer. nullopt if there is none.
+[[nodiscard]] std::optional<double> drained_radial_strain(const Specimen& specimen, double axial,
+                                                          double cell_pressure, double guess);
 
 }  // namespace cpt::solver

@@ -119,6 +119,7 @@ solver::Outcome fake(const solver::Setup& setup, solver::Observer& observer, con
   outcome.status = solver::Status::completed;
   outcome.profile = curve(setup);
   if (behaviour == "not_finite") outcome.profile.q_c.back() = std::numeric_limits<double>::quiet_NaN();
+  if (behaviour == "one_bit") outcome.profile.q_c.at(2) = std::nextafter(outcome.profile.q_c.at(2), 0.0);
   if (behaviour == "energy_drift") {
     outcome.status = solver::Status::energy_drift;
     outcome.reason = "the fake drifts";

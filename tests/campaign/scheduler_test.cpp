@@ -76,7 +76,7 @@ TEST(Scheduler, ThreadsBorrowTheSlotsOfRanksOnTheSameNodeOnly) {
   EXPECT_EQ(two_nodes.next()->threads, 1);
 }
 
-TEST(Scheduler, ARealizationWithAllCoresOfTheNodeBlocksIts) {
+TEST(Scheduler, ARealizationOnAllCoresOfTheNodeKeepsOthersWaiting) {
   Scheduler scheduler(ids(2), 2);
   scheduler.add_rank(0, 0, 1);
   scheduler.add_rank(1, 0, 1);
@@ -112,6 +112,18 @@ TEST(Scheduler, LostRankGivesItsRealizationsBackFirst) {
   EXPECT_TRUE(scheduler.end(3 - lost, 0, false));
   EXPECT_EQ(scheduler.next()->realization, lost);
   EXPECT_EQ(scheduler.runner(lost), 0);
+}
+
+TEST(Scheduler, ANeighbourInheritsTheSlotsOfALostRank) {
+  Scheduler scheduler(ids(4));
+  scheduler.add_rank(0, 0, 1);
+  scheduler.add_rank(1, 0, 2);
+  EXPECT_EQ(hand_out(scheduler).size(), 3U);
+  scheduler.lose_rank(1);
+  EXPECT_EQ(scheduler.slots(), 3);
+  const auto again = hand_out(scheduler);
+  EXPECT_EQ(again.size(), 2U);
+  for (const Assignment& assignment : again) EXPECT_EQ(assignment.rank, 0);
 }
 
 TEST(Scheduler, GivenUpRealizationsCountAsFailed) {

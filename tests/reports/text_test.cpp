@@ -15,10 +15,10 @@ TEST(Text, EscapesMarkupAndQuotes) {
 TEST(Text, ReplacesWhatXmlForbids) {
   EXPECT_EQ(escape(std::string_view("a\0b", 3)), "a\uFFFDb");
   EXPECT_EQ(escape("\x1b[31m"), "\uFFFD[31m");
-  EXPECT_EQ(escape("\xff\xc3"), "\uFFFD\uFFFD");            // broken bytes
-  EXPECT_EQ(escape("\xc0\xbc"), "\uFFFD\uFFFD");            // overlong '<'
-  EXPECT_EQ(escape("\xe0\x80\xbc"), "\uFFFD");  // and in three bytes
-  EXPECT_EQ(escape("\xed\xa0\x80"), "\uFFFD");  // half of a surrogate pair
+  EXPECT_EQ(escape("\xff\xc3"), "\uFFFD\uFFFD");  // broken bytes
+  EXPECT_EQ(escape("\xc0\xbc"), "\uFFFD\uFFFD");  // overlong '<'
+  EXPECT_EQ(escape("\xe0\x80\xbc"), "\uFFFD");    // and in three bytes
+  EXPECT_EQ(escape("\xed\xa0\x80"), "\uFFFD");    // half of a surrogate pair
   EXPECT_EQ(escape("a\nb\tc"), "a\nb\tc");
 }
 

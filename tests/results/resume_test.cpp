@@ -193,7 +193,8 @@ TEST_F(Resume, OtherSchemaVersionIsRefused) {
   { open(study); }
   Database(study.database, Database::Mode::read_write).execute("PRAGMA user_version = 77");
   EXPECT_NE(message_of([&] { open(study); }).find("schema version 77"), std::string::npos);
-  EXPECT_NE(message_of([&] { (void)read_snapshot(study.database); }).find("schema version 77"), std::string::npos);
+  EXPECT_NE(message_of([&] { (void)read_snapshot(study.database); }).find("schema version 77"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,258 @@
+// Campaigns from the command line, with a stand-in for the solver: same results on any number of ranks, failures on
+// record, kills survived.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "tests/cli/program.hpp"
+
+namespace cpt::tests {
+namespace {
+
+constexpr int realizations = 6;
+
+std::vector<std::string> arguments(const std::string& study, std::vector<std::string> more = {}) {
+  std::vector<std::string> words{study, "--executor", FAKE_REALIZATION, "--no-report"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+bool eventually(const std::function<bool()>& condition) {
+  for (int i = 0; i < 1500; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
+}
+
+std::string undisturbed() {
+  const StudyFolder folder;
+  EXPECT_EQ(run(campaign(arguments(folder.study()))).exit_code, 0);
+  return contents(folder.file("small.sqlite"));
+}
+
+std::string completed(const StudyFolder& folder) {
+  return run(campaign({"query", folder.file("small.sqlite"), "sql",
+                       "select count(*) from realization where status = 'completed'", "--format", "csv"}))
+      .out;
+}
+
+// Starts of realizations on the stand-in's log, each as the hash of its settings.
+std::vector<std::string> starts(const StudyFolder& folder, const std::string& log) {
+  std::istringstream lines(folder.read(log));
+  std::vector<std::string> hashes;
+  for (std::string pid, hash; lines >> pid >> hash;) hashes.push_back(hash);
+  return hashes;
+}
+
+TEST(Campaign, EndsWithAllRealizationsCompleted) {
+  const StudyFolder folder;
+  const Result result = run(campaign(arguments(folder.study())));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("6 of 6 realizations completed, 0 failed"), std::string::npos) << result.out;
+  EXPECT_NE(result.err.find("[6/6] realization"), std::string::npos) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.file("small.h5")));
+}
+
+TEST(Campaign, RanksSlotsAndThreadsDoNotChangeTheDatabase) {
+  const std::string expected = undisturbed();
+  ASSERT_GT(expected.size(), 1000U);
+  for (const Command& command : {mpirun(1, {}), mpirun(2, {}), mpirun(3, {}), campaign({"--slots", "3"}),
+                                 mpirun(2, {"--threads", "2"})}) {
+    const StudyFolder folder;
+    Command words = command;
+    // The study follows the program's own name, options come last.
+    const auto program = std::find(words.begin(), words.end(), campaign({}).front());
+    const std::vector<std::string> more(program + 1, words.end());
+    words.erase(program + 1, words.end());
+    for (const std::string& word : arguments(folder.study(), more)) words.push_back(word);
+    const Result result = run(words);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(contents(folder.file("small.sqlite")), expected);
+  }
+}
+
+TEST(Campaign, BothRanksWork) {
+  const StudyFolder folder;
+  Background job(mpirun(2, arguments(folder.study(), {"--slots", "1"})), {"CPT_FAKE_SECONDS=0.5"});
+  EXPECT_TRUE(eventually([&] {
+    const auto ranks = children_of(job.pid());
+    return ranks.size() == 2 && std::all_of(ranks.begin(), ranks.end(),
+                                            [](pid_t rank) { return children_of(rank).size() == 1; });
+  }));
+  EXPECT_EQ(job.wait().exit_code, 0);
+}
+
+TEST(Campaign, FailuresAreOnRecordAndTheOthersGoOn) {
+  const StudyFolder folder;
+  const Result result = run(mpirun(2, arguments(folder.study(), {"--hang-limit", "0.5"})),
+                            {"CPT_FAKE=sand.H=75:segfault;sand.nu=0.1:hang;sand.nu=0.3:garbage"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find("3 of 6 realizations completed, 3 failed"), std::string::npos) << result.out;
+  const std::string failures = run(campaign({"query", folder.study(), "failures", "--format", "csv"})).out;
+  for (const char* part : {"crashed,killed by signal 11 (Segmentation fault)", "time_limit,hung: no step for 0.5 s",
+                           "crashed,sent an unreadable answer"})
+    EXPECT_NE(failures.find(part), std::string::npos) << failures;
+}
+
+TEST(Campaign, FailedRealizationsAreRunAgainOnlyWhenAsked) {
+  const StudyFolder folder;
+  EXPECT_EQ(run(campaign(arguments(folder.study())), {"CPT_FAKE=sand.H=75:throw"}).exit_code, 1);
+  EXPECT_EQ(run(campaign(arguments(folder.study()))).exit_code, 1);
+  EXPECT_EQ(run(campaign(arguments(folder.study(), {"--retry-failed"}))).exit_code, 0);
+  EXPECT_EQ(contents(folder.file("small.sqlite")), undisturbed());
+}
+
+TEST(Campaign, FinishedWorkIsNotDoneAgain) {
+  const StudyFolder folder;
+  const std::string log = "CPT_FAKE_LOG=" + folder.file("log");
+  EXPECT_EQ(run(campaign(arguments(folder.study())), {log}).exit_code, 0);
+  EXPECT_EQ(starts(folder, "log").size(), static_cast<std::size_t>(realizations));
+  EXPECT_EQ(run(campaign(arguments(folder.study())), {log}).exit_code, 0);
+  EXPECT_EQ(starts(folder, "log").size(), static_cast<std::size_t>(realizations));
+}
+
+TEST(Campaign, SecondInstanceIsRefused) {
+  const StudyFolder folder;
+  Background first(campaign(arguments(folder.study())), {"CPT_FAKE_SECONDS=1000"});
+  ASSERT_TRUE(eventually([&] { return !children_of(first.pid()).empty(); }));
+  const Result second = run(campaign(arguments(folder.study())));
+  EXPECT_EQ(second.exit_code, 3);
+  EXPECT_NE(second.err.find("small.sqlite"), std::string::npos) << second.err;
+  EXPECT_EQ(run(mpirun(2, arguments(folder.study()))).exit_code, 3);
+  ::kill(first.pid(), SIGTERM);
+  EXPECT_EQ(first.wait().exit_code, 143);
+}
+
+class Signalled : public testing::TestWithParam<int> {};
+
+TEST_P(Signalled, StopsCleanlyAndGoesOn) {
+  const StudyFolder folder;
+  const std::vector<std::string> variables{"CPT_FAKE_SECONDS=0.3"};
+  Background job(campaign(arguments(folder.study(), {"--slots", "1"})), variables);
+  ASSERT_TRUE(eventually([&] { return completed(folder).find("1") != std::string::npos; }));
+  const std::vector<pid_t> running = children_of(job.pid());
+  ::kill(job.pid(), GetParam());
+  const Result result = job.wait();
+  EXPECT_EQ(result.exit_code, 128 + GetParam());
+  EXPECT_NE(result.err.find("the same command goes on"), std::string::npos) << result.err;
+  for (const pid_t pid : running) EXPECT_EQ(::kill(pid, 0), -1) << "a realization outlived the campaign";
+  EXPECT_EQ(run(campaign(arguments(folder.study()))).exit_code, 0);
+  EXPECT_EQ(contents(folder.file("small.sqlite")), undisturbed());
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Signalled, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+enum class Victim { launcher, master, worker, realization };
+class Killed : public testing::TestWithParam<Victim> {};
+
+pid_t find(Victim victim, pid_t launcher) {
+  if (victim == Victim::launcher) return launcher;
+  const std::vector<pid_t> ranks = children_of(launcher);  // started in the order of their ranks
+  if (victim == Victim::master) return ranks.at(0);
+  if (victim == Victim::worker) return ranks.at(1);
+  pid_t realization = -1;
+  eventually([&] {
+    const auto children = children_of(ranks.at(1));
+    if (!children.empty()) realization = children.front();
+    return realization > 0;
+  });
+  return realization;
+}
+
+TEST_P(Killed, ResumedCampaignEndsAsAnUndisturbedOne) {
+  const StudyFolder folder;
+  const std::string seconds = "CPT_FAKE_SECONDS=0.4";
+  Background job(mpirun(2, arguments(folder.study(), {"--slots", "1"})),
+                 {seconds, "CPT_FAKE_LOG=" + folder.file("first.log")});
+  ASSERT_TRUE(eventually([&] { return completed(folder).find_first_of("23") != std::string::npos; }));
+  const std::vector<pid_t> ranks = children_of(job.pid());
+  ASSERT_EQ(ranks.size(), 2U);
+  const pid_t victim = find(GetParam(), job.pid());
+  ASSERT_GT(victim, 0);
+  ASSERT_EQ(::kill(victim, SIGKILL), 0);
+  const Result result = job.wait();
+  EXPECT_NE(result.exit_code, 0);
+  ASSERT_TRUE(eventually([&] {
+    return std::none_of(ranks.begin(), ranks.end(), [](pid_t rank) { return ::kill(rank, 0) == 0; });
+  })) << "ranks go with their job";
+
+  std::vector<std::string> resume;
+  if (GetParam() == Victim::realization) {
+    // Only this one is lost, with its reason; the campaign has gone on to its end.
+    EXPECT_EQ(result.exit_code, 1);
+    const std::string failures = run(campaign({"query", folder.study(), "failures"})).out;
+    EXPECT_NE(failures.find("killed by signal 9"), std::string::npos) << failures;
+    resume.emplace_back("--retry-failed");
+  }
+  const Result resumed =
+      run(mpirun(2, arguments(folder.study(), resume)), {"CPT_FAKE_LOG=" + folder.file("second.log")});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_EQ(contents(folder.file("small.sqlite")), undisturbed());
+
+  // What had been started and was not lost is not started again.
+  std::vector<std::string> all = starts(folder, "first.log");
+  const std::vector<std::string> again = starts(folder, "second.log");
+  all.insert(all.end(), again.begin(), again.end());
+  EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), static_cast<std::size_t>(realizations));
+  const std::size_t lost = GetParam() == Victim::realization ? 1 : 2;
+  EXPECT_LE(all.size(), realizations + lost);
+}
+
+std::string name_of(const testing::TestParamInfo<Victim>& instance) {
+  constexpr const char* names[] = {"launcher", "master", "worker", "realization"};
+  return names[static_cast<int>(instance.param)];
+}
+INSTANTIATE_TEST_SUITE_P(Processes, Killed,
+                         testing::Values(Victim::launcher, Victim::master, Victim::worker, Victim::realization), name_of);
+
+TEST(Campaign, LostRankIsReplacedWhereTheLauncherLetsTheOthersLive) {
+  const StudyFolder folder;
+  Background job(mpirun(2, arguments(folder.study(), {"--slots", "1", "--rank-limit", "5"}), {"--enable-recovery"}),
+                 {"CPT_FAKE_SECONDS=0.4"});
+  ASSERT_TRUE(eventually([&] { return completed(folder).find_first_of("23") != std::string::npos; }));
+  ASSERT_EQ(::kill(find(Victim::worker, job.pid()), SIGKILL), 0);
+  const Result result = job.wait();
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("rank 1 has been silent for 5 s"), std::string::npos) << result.err;
+  EXPECT_EQ(contents(folder.file("small.sqlite")), undisturbed());
+}
+
+TEST(Campaign, WorkerToldToStopLeavesItsWorkToTheOthers) {
+  const StudyFolder folder;
+  Background job(mpirun(2, arguments(folder.study(), {"--slots", "1"})), {"CPT_FAKE_SECONDS=0.4"});
+  ASSERT_TRUE(eventually([&] { return completed(folder).find_first_of("23") != std::string::npos; }));
+  ASSERT_EQ(::kill(find(Victim::worker, job.pid()), SIGTERM), 0);
+  const Result result = job.wait();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("rank 1 was told to stop"), std::string::npos) << result.err;
+  EXPECT_EQ(contents(folder.file("small.sqlite")), undisturbed());
+}
+
+TEST(Campaign, RerunComparesBitForBit) {
+  const StudyFolder folder;
+  ASSERT_EQ(run(campaign(arguments(folder.study())), {"CPT_FAKE=sand.H=75:energy_drift"}).exit_code, 1);
+  const auto rerun = [&](const char* id, const char* fake) {
+    return run(campaign({"rerun", folder.study(), id, "--executor", FAKE_REALIZATION}),
+               {std::string("CPT_FAKE=") + fake});
+  };
+  const Result same = rerun("2", "");
+  EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
+  EXPECT_NE(same.out.find("identical bit for bit"), std::string::npos) << same.out;
+  const Result same_failure = rerun("4", "*:energy_drift");
+  EXPECT_EQ(same_failure.exit_code, 0) << same_failure.out << same_failure.err;
+  const Result other_bits = rerun("2", "*:one_bit");
+  EXPECT_EQ(other_bits.exit_code, 4);
+  EXPECT_NE(other_bits.out.find("differs first in depth bin 3"), std::string::npos) << other_bits.out;
+  EXPECT_EQ(rerun("2", "*:segfault").exit_code, 4);
+  EXPECT_EQ(rerun("77", "").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace cpt::tests

@@ -1,0 +1,131 @@
+// What the program says and returns for good and bad command lines.
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.hpp"
+
+namespace cpt::tests {
+namespace {
+
+void expect_has(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is not in:\n" << text;
+}
+
+TEST(CommandLine, HelpHasExamplesAndExitCodes) {
+  for (const Command& command : {campaign({}), campaign({"--help"})}) {
+    const Result result = run(command);
+    EXPECT_EQ(result.exit_code, 0);
+    expect_has(result.out, "Examples:");
+    expect_has(result.out, "Exit codes:");
+    expect_has(result.out, "rerun");
+  }
+  for (const char* command : {"run", "rerun", "query", "report", "element", "list"})
+    EXPECT_EQ(run(campaign({command, "--help"})).exit_code, 0) << command;
+}
+
+TEST(CommandLine, VersionNamesProgramAndSolver) {
+  const Result result = run(campaign({"--version"}));
+  EXPECT_EQ(result.exit_code, 0);
+  expect_has(result.out, "campaign ");
+  expect_has(result.out, "solver ");
+}
+
+struct Bad {
+  std::vector<std::string> arguments;
+  const char* message;
+};
+
+TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
+  const StudyFolder folder;
+  const Bad cases[] = {
+      {{"quary"}, "did you mean 'query'?"},
+      {{"/nowhere/x.toml"}, "cannot read the study /nowhere/x.toml"},
+      {{"run"}, "STUDY"},
+      {{folder.study(), "--slots", "0"}, "--slots"},
+      {{folder.study(), "--no-such-option"}, "--no-such-option"},
+      {{"query", folder.study(), "nonsense"}, "nonsense"},
+      {{"query", folder.study(), "sql"}, "needs a statement"},
+      {{"list", "nonsense"}, "nonsense"},
+      {{"rerun", folder.study(), "x"}, "ID"},
+      {{"element", "triaxial", "--set", "sand.Hh=3"}, "did you mean sand.H?"},
+      {{"element", "triaxial", "--set", "sand.H"}, "must be NAME=VALUE"},
+      {{"element", "triaxial", "--set", "sand.H=much"}, "not a number"},
+      {{"element", "triaxial", "--set", "sand.nu=0.7"}, "must be 0 to 0.45"},
+      {{"element", "triaxial", "--set", "clay.s_u_kPa=20"}, "only quantities named sand."},
+      {{"element", "triaxial", "--p0_kPa", "10", "--sigma_v0_kPa", "20"}, "either"},
+      {{"element", "triaxial", "--material", "clay", "--D_r_percent", "20"}, "for sand"},
+  };
+  for (const Bad& bad : cases) {
+    const Result result = run(campaign(bad.arguments));
+    EXPECT_EQ(result.exit_code, 2) << bad.message;
+    expect_has(result.err, bad.message);
+  }
+}
+
+TEST(CommandLine, StudyErrorsAreAllPrintedOnceUnderMpirunToo) {
+  const StudyFolder folder;
+  folder.write("bad.toml", "profile = \"homogeneous_sand\"\n[parameters]\n\"sand.Hh\" = { upper = 75 }\n"
+                           "\"sand.nu\" = { upper = 0.9 }\n[[windows]]\nname = \"w\"\nfrom_m = 0.1\nto_m = 0.2\n");
+  for (const Command& command : {campaign({folder.file("bad.toml")}), mpirun(2, {folder.file("bad.toml")})}) {
+    const Result result = run(command);
+    EXPECT_EQ(result.exit_code, 2);
+    expect_has(result.err, "sand.Hh");
+    expect_has(result.err, "sand.nu");
+    EXPECT_EQ(result.err.find("2 errors"), result.err.rfind("2 errors"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.file("bad.sqlite")));
+}
+
+TEST(CommandLine, PlanAndValidateRunNothing) {
+  const StudyFolder folder;
+  const Result plan = run(campaign({folder.study(), "--plan"}));
+  EXPECT_EQ(plan.exit_code, 0);
+  expect_has(plan.out, "sand.D_r_percent");
+  expect_has(plan.out, "new");
+  const Result valid = run(campaign({"run", folder.study(), "--validate"}));
+  EXPECT_EQ(valid.exit_code, 0) << valid.out;
+  expect_has(valid.out, "6 realizations");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("small.sqlite")));
+}
+
+TEST(CommandLine, UnusableDatabaseIsExitCode6) {
+  const StudyFolder folder;
+  EXPECT_EQ(run(campaign({"query", folder.study(), "realizations"})).exit_code, 6) << "there is none yet";
+  folder.write("small.sqlite", "this is no database, it is a text of more than a few bytes");
+  EXPECT_EQ(run(campaign({"query", folder.study(), "realizations"})).exit_code, 6);
+  EXPECT_EQ(run(campaign({folder.study(), "--executor", FAKE_REALIZATION})).exit_code, 6);
+  EXPECT_EQ(run(mpirun(2, {folder.study(), "--executor", FAKE_REALIZATION})).exit_code, 6);
+}
+
+TEST(CommandLine, ListsQuantitiesInThreeFormats) {
+  expect_has(run(campaign({"list", "quantities"})).out, "clay.s_u_kPa");
+  expect_has(run(campaign({"list", "quantities", "--format", "csv"})).out, "name,symbol,unit");
+  expect_has(run(campaign({"list", "quantities", "--format", "json"})).out, "\"clay.s_u_kPa\"");
+  for (const char* what : {"profiles", "presets", "queries", "outcomes"})
+    EXPECT_EQ(run(campaign({"list", what})).exit_code, 0) << what;
+}
+
+TEST(CommandLine, ElementTestsEndAtTheCriticalStateAndAtTwiceTheStrength) {
+  const StudyFolder folder;
+  const std::string csv = folder.file("sand.csv");
+  const Result sand = run(campaign({"element", "triaxial", "--D_r_percent", "51", "--p0_kPa", "320", "--strain_percent",
+                                    "200", "--steps", "2000", "--csv", csv}));
+  ASSERT_EQ(sand.exit_code, 0) << sand.err;
+  const std::string rows = folder.read("sand.csv");
+  ASSERT_EQ(rows.substr(0, rows.find_first_of("\r\n")), "eps_a,eps_v,q_kPa,p_kPa,e,psi,p_i_kPa");
+  const std::size_t last = rows.rfind('\n', rows.size() - 2) + 1;
+  double eps_a = 0.0, eps_v = 0.0, q = 0.0, p = 0.0;
+  ASSERT_EQ(std::sscanf(rows.c_str() + last, "%lf,%lf,%lf,%lf", &eps_a, &eps_v, &q, &p), 4);
+  EXPECT_NEAR(eps_a, 2.0, 1e-9);
+  EXPECT_NEAR(q / p, 1.2, 0.01);  // M_tc of phi_cs = 30 deg
+
+  const Result clay = run(campaign({"element", "triaxial", "--undrained", "--material", "clay", "--set",
+                                    "clay.s_u_kPa=33.5", "--csv", folder.file("clay.csv")}));
+  ASSERT_EQ(clay.exit_code, 0) << clay.err;
+  const std::string clay_rows = folder.read("clay.csv");
+  const std::size_t clay_last = clay_rows.rfind('\n', clay_rows.size() - 2) + 1;
+  ASSERT_EQ(std::sscanf(clay_rows.c_str() + clay_last, "%lf,%lf,%lf,%lf", &eps_a, &eps_v, &q, &p), 4);
+  EXPECT_NEAR(q, 67.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace cpt::tests
