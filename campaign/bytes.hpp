@@ -34,12 +34,10 @@ class ByteWriter {
     bytes_.insert(bytes_.end(), first, first + size);
   }
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  void put(const T& value) {
-    append(&value, sizeof value);
-  }
+  requires std::is_trivially_copyable_v<T>
+  void put(const T& value) { append(&value, sizeof value); }
   template <class T>
-    requires std::is_trivially_copyable_v<T>
+  requires std::is_trivially_copyable_v<T>
   void put(const std::vector<T>& values) {
     put(static_cast<std::uint64_t>(values.size()));
     append(values.data(), values.size() * sizeof(T));
@@ -52,7 +50,8 @@ class ByteWriter {
   Bytes bytes_;
 };
 
-/// Takes values in the order they were written; throws MalformedMessage if there are too few or too many bytes.
+/// Takes values in the order they were written; throws MalformedMessage if there are too few or too many
+/// bytes.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -78,12 +77,10 @@ class ByteReader {
     return static_cast<std::size_t>(n);
   }
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  void get(T& value) {
-    extract(&value, sizeof value);
-  }
+  requires std::is_trivially_copyable_v<T>
+  void get(T& value) { extract(&value, sizeof value); }
   template <class T>
-    requires std::is_trivially_copyable_v<T>
+  requires std::is_trivially_copyable_v<T>
   void get(std::vector<T>& values) {
     values.resize(count(sizeof(T)));
     extract(values.data(), values.size() * sizeof(T));

@@ -33,7 +33,8 @@ double quota_cores() {
   std::ifstream file("/sys/fs/cgroup/cpu.max");
   std::string quota;
   double period = 0.0;
-  if (!(file >> quota >> period) || quota == "max" || period <= 0.0) return std::numeric_limits<double>::infinity();
+  if (!(file >> quota >> period) || quota == "max" || period <= 0.0)
+    return std::numeric_limits<double>::infinity();
   return std::stod(quota) / period;
 }
 

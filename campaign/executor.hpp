@@ -28,8 +28,8 @@ class Executor {
   std::map<int, std::unique_ptr<RealizationProcess>> processes_;  // by realization
 };
 
-/// Length of the next sleep between polls: short after something happened, doubling to `longest` while nothing does,
-/// so that a waiting rank reacts at once and still leaves its core alone.
+/// Length of the next sleep between polls: short after something happened, doubling to `longest` while
+/// nothing does, so that a waiting rank reacts at once and still leaves its core alone.
 class Napping {
  public:
   explicit Napping(double longest) : longest_(longest) {}

@@ -5,7 +5,7 @@
 namespace cpt::campaign {
 namespace {
 
-constexpr double rate_window = 20.0;           // [s]
+constexpr double rate_window = 20.0;             // [s]
 constexpr double least_telling_fraction = 0.05;  // below, elapsed / fraction says little
 
 }  // namespace
@@ -40,7 +40,8 @@ void Forecast::restarted(int realization) { running_.erase(realization); }
 std::optional<double> Forecast::core_seconds_each(double now) const {
   double sum = finished_core_seconds_;
   double count = finished_;
-  // A running realization counts by the share it has done, so the estimate exists before the first has finished.
+  // A running realization counts by the share it has done, so the estimate exists before the first has
+  // finished.
   for (const auto& [id, running] : running_) {
     if (running.fraction < least_telling_fraction) continue;
     sum += (now - running.since) * running.threads;

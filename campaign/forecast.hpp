@@ -1,5 +1,5 @@
-// Remaining time and speed of a campaign, from finished wall times and the progress of what runs. Pure: the time is
-// an argument.
+// Remaining time and speed of a campaign, from finished wall times and the progress of what runs. Pure: the
+// time is an argument.
 #pragma once
 
 #include <deque>
@@ -18,8 +18,8 @@ class Forecast {
   /// A realization is to start again from nothing.
   void restarted(int realization);
 
-  /// [s] until `pending` more realizations and those running are done on `slots` cores; nullopt while nothing is
-  /// known.
+  /// [s] until `pending` more realizations and those running are done on `slots` cores; nullopt while nothing
+  /// is known.
   [[nodiscard]] std::optional<double> remaining_seconds(int pending, int slots, double now) const;
   /// [1/s] material-point steps per second over the last seconds.
   [[nodiscard]] double point_steps_per_second(double now) const;

@@ -36,11 +36,12 @@ void exchange(Archive&, MaybeConst<Leaving> auto&) {}
 template <class Archive>
 void exchange(Archive&, MaybeConst<Dismissed> auto&) {}
 
-// A setup travels as the values of all quantities, its layers and its point zones, so that a new quantity needs no
-// line here; its canonical text travels too and shows that nothing was left out.
+// A setup travels as the values of all quantities, its layers and its point zones, so that a new quantity
+// needs no line here; its canonical text travels too and shows that nothing was left out.
 void exchange(ByteWriter& archive, const Order& order) {
   std::vector<double> values;
-  for (const solver::Quantity& quantity : solver::all_quantities()) values.push_back(quantity.get(order.setup));
+  for (const solver::Quantity& quantity : solver::all_quantities())
+    values.push_back(quantity.get(order.setup));
   archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, values,
           order.setup.layers, order.setup.numerics.zones, solver::canonical_text(order.setup));
 }
@@ -50,14 +51,15 @@ void exchange(ByteReader& archive, Order& order) {
   std::vector<solver::Layer> layers;
   std::vector<solver::PointZone> zones;
   std::string text;
-  archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, values, layers, zones,
-          text);
+  archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, values,
+          layers, zones, text);
   const auto quantities = solver::all_quantities();
   if (values.size() != quantities.size()) throw MalformedMessage("order of another program version");
   for (std::size_t i = 0; i < values.size(); ++i) quantities[i].set(order.setup, values[i]);
   order.setup.layers = std::move(layers);
   order.setup.numerics.zones = std::move(zones);
-  if (solver::canonical_text(order.setup) != text) throw MalformedMessage("order's setup did not survive packing");
+  if (solver::canonical_text(order.setup) != text)
+    throw MalformedMessage("order's setup did not survive packing");
 }
 
 void check(const Message& message) {
@@ -87,8 +89,9 @@ struct FrameHeader {
   std::uint32_t magic;
   std::uint32_t size;
 };
-constexpr std::uint32_t frame_magic = 0x43505431;       // "CPT1"
-constexpr std::uint32_t largest_message = 64U << 20U;  // far above any depth profile; bounds what garbage can claim
+constexpr std::uint32_t frame_magic = 0x43505431;  // "CPT1"
+constexpr std::uint32_t largest_message =
+    64U << 20U;  // far above any depth profile; bounds what garbage can claim
 
 }  // namespace
 
@@ -118,7 +121,9 @@ Bytes frame(const Message& message) {
   return bytes;
 }
 
-void FrameReader::feed(std::span<const std::byte> bytes) { buffer_.insert(buffer_.end(), bytes.begin(), bytes.end()); }
+void FrameReader::feed(std::span<const std::byte> bytes) {
+  buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+}
 
 std::optional<Message> FrameReader::next() {
   FrameHeader header{};

@@ -60,7 +60,8 @@ using Message = std::variant<Hello, Order, ProgressReport, OutcomeReport, Heartb
 class FrameReader {
  public:
   void feed(std::span<const std::byte> bytes);
-  /// The next whole message; nullopt if more bytes are needed. Throws MalformedMessage if the stream is not ours.
+  /// The next whole message; nullopt if more bytes are needed. Throws MalformedMessage if the stream is not
+  /// ours.
   [[nodiscard]] std::optional<Message> next();
   /// True inside an unfinished message.
   [[nodiscard]] bool partial() const { return !buffer_.empty(); }

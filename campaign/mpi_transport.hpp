@@ -31,8 +31,8 @@ class MpiTransport final : public Transport {
   [[nodiscard]] double longest_nap() const override { return 0.02; }
   [[nodiscard]] bool orphaned() const override;
 
-  /// Ends the process at once with this exit code, and with it the whole job: MPI_Finalize would wait for ranks that
-  /// are gone. Everything of value must be on disk by then.
+  /// Ends the process at once with this exit code, and with it the whole job: MPI_Finalize would wait for
+  /// ranks that are gone. Everything of value must be on disk by then.
   [[noreturn]] void abandon(int exit_code);
 
  private:

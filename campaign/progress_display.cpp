@@ -29,10 +29,11 @@ std::string format_duration(double seconds) {
 
 std::string progress_line(const Standing& standing) {
   const Tally& tally = standing.tally;
-  std::string line = fmt::format("{}/{} done, {} running, {} failed", tally.finished + tally.failed, tally.total(),
-                                 tally.running, tally.failed);
+  std::string line = fmt::format("{}/{} done, {} running, {} failed", tally.finished + tally.failed,
+                                 tally.total(), tally.running, tally.failed);
   if (tally.pending + tally.running > 0)
-    line += standing.remaining_seconds ? ", ETA " + format_duration(*standing.remaining_seconds) : ", ETA not known yet";
+    line += standing.remaining_seconds ? ", ETA " + format_duration(*standing.remaining_seconds)
+                                       : ", ETA not known yet";
   if (standing.point_steps_per_second > 0.0)
     line += fmt::format(", {:.1f} million material-point steps/s", standing.point_steps_per_second * 1e-6);
   return line;

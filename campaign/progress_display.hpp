@@ -20,11 +20,12 @@ struct Standing {
   double point_steps_per_second = 0.0;      ///< [1/s] material-point steps
 };
 
-/// "12/21 done, 2 running, 1 failed, ETA 4 min 10 s, 13.2 million material-point steps/s". Done includes failed.
+/// "12/21 done, 2 running, 1 failed, ETA 4 min 10 s, 13.2 million material-point steps/s". Done includes
+/// failed.
 [[nodiscard]] std::string progress_line(const Standing& standing);
 
-/// On a terminal one line is rewritten twice a second, under the lasting lines; elsewhere a plain line every ten
-/// seconds.
+/// On a terminal one line is rewritten twice a second, under the lasting lines; elsewhere a plain line every
+/// ten seconds.
 class ProgressDisplay {
  public:
   enum class Style { terminal, plain, silent };

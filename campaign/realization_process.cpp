@@ -21,7 +21,8 @@
 namespace cpt::campaign {
 namespace {
 
-constexpr double after_limit = 2.0;  // [s] a realization ends itself at its limit; this much later it is asked to
+constexpr double after_limit =
+    2.0;  // [s] a realization ends itself at its limit; this much later it is asked to
 constexpr double after_request = 3.0;  // [s] from asking a process to end to killing it
 constexpr double after_outcome = 5.0;  // [s] for a process to exit once it has sent its outcome
 constexpr std::size_t longest_last_words = 4096;
@@ -66,10 +67,12 @@ int spawn(pid_t& pid, const std::vector<std::string>& command, int channel, int 
   posix_spawnattr_setsigmask(&attributes, &none);
   posix_spawnattr_setsigdefault(&attributes, &standard);
   posix_spawnattr_setpgroup(&attributes, 0);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setflags(&attributes,
+                           POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
 
   std::vector<char*> environment = environment_without_mpi();
-  const int error = ::posix_spawn(&pid, arguments[0], &actions, &attributes, arguments.data(), environment.data());
+  const int error =
+      ::posix_spawn(&pid, arguments[0], &actions, &attributes, arguments.data(), environment.data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return error;
@@ -80,7 +83,8 @@ std::string last_line(std::string_view text) {
   const auto end = text.find_last_not_of(" \t\r\n");
   if (end == std::string_view::npos) return {};
   text = text.substr(0, end + 1);
-  if (const auto newline = text.rfind('\n'); newline != std::string_view::npos) text = text.substr(newline + 1);
+  if (const auto newline = text.rfind('\n'); newline != std::string_view::npos)
+    text = text.substr(newline + 1);
   text = text.substr(std::min(text.find_first_not_of(" \t"), text.size()));
   std::string line(text.substr(0, 300));
   for (char& c : line)
@@ -122,7 +126,8 @@ RealizationProcess::RealizationProcess(const std::vector<std::string>& command, 
     return;
   }
   ::fcntl(errors_, F_SETFL, O_NONBLOCK);
-  // An order is a few kilobytes and fits the socket's buffer. If the child is gone already, its end is noticed later.
+  // An order is a few kilobytes and fits the socket's buffer. If the child is gone already, its end is
+  // noticed later.
   const Bytes bytes = frame(order_);
   static_cast<void>(::send(channel_, bytes.data(), bytes.size(), MSG_NOSIGNAL));
 }
@@ -144,7 +149,8 @@ RealizationProcess::News RealizationProcess::service(double now) {
     return news;
   }
   int wait_status = 0;
-  const bool gone = ::waitpid(pid_, &wait_status, WNOHANG) == pid_;  // asked first: what it sent is then all there
+  const bool gone =
+      ::waitpid(pid_, &wait_status, WNOHANG) == pid_;  // asked first: what it sent is then all there
   read_channel(news, now);
   read_errors();
   if (gone) {
@@ -177,11 +183,13 @@ void RealizationProcess::read_channel(News& news, double now) {
 }
 
 void RealizationProcess::accept(Message message, News& news, double now) {
-  if (auto* report = std::get_if<ProgressReport>(&message); report && report->realization == order_.realization) {
+  if (auto* report = std::get_if<ProgressReport>(&message);
+      report && report->realization == order_.realization) {
     if (!progress_ || report->progress.steps > progress_->steps) last_step_forward_ = now;
     progress_ = report->progress;
     news.progress = progress_;
-  } else if (auto* end = std::get_if<OutcomeReport>(&message); end && end->realization == order_.realization) {
+  } else if (auto* end = std::get_if<OutcomeReport>(&message);
+             end && end->realization == order_.realization) {
     if (end->outcome.status == solver::Status::completed && !usable(end->outcome.profile))
       throw MalformedMessage("a completed run without a finite depth profile");
     outcome_ = std::move(end->outcome);
@@ -201,7 +209,8 @@ void RealizationProcess::read_errors() {
       return;
     }
     last_words_.append(text.data(), static_cast<std::size_t>(size));
-    if (last_words_.size() > longest_last_words) last_words_.erase(0, last_words_.size() - longest_last_words);
+    if (last_words_.size() > longest_last_words)
+      last_words_.erase(0, last_words_.size() - longest_last_words);
   }
 }
 
@@ -213,7 +222,8 @@ void RealizationProcess::end_by(solver::Status status, std::string reason, doubl
 
 void RealizationProcess::enforce_limits(double now) {
   const std::string reached =
-      progress_ ? fmt::format("at depth {:.3f} m, step {}", progress_->depth, progress_->steps) : "before its first step";
+      progress_ ? fmt::format("at depth {:.3f} m, step {}", progress_->depth, progress_->steps)
+                : "before its first step";
   if (outcome_) {
     if (now > last_step_forward_ + after_outcome) ::kill(pid_, SIGKILL);
   } else if (now > started_ + order_.wall_limit_seconds + after_limit) {
@@ -222,7 +232,8 @@ void RealizationProcess::enforce_limits(double now) {
            now + after_request);
   } else if (now > last_step_forward_ + order_.hang_limit_seconds) {
     end_by(solver::Status::time_limit,
-           fmt::format("hung: no step for {:g} s {}", order_.hang_limit_seconds, reached), now + after_request);
+           fmt::format("hung: no step for {:g} s {}", order_.hang_limit_seconds, reached),
+           now + after_request);
   }
   if (ending_ && now >= ending_->kill_at) {
     ::kill(pid_, SIGKILL);
@@ -249,17 +260,18 @@ solver::Outcome RealizationProcess::conclude(int wait_status, double now) {
   if (signal != 0) {
     const char* name = ::sigdescr_np(signal);
     const std::string_view guess = signal == SIGKILL ? ", as the system does when memory runs out" : "";
-    return failure(
-        solver::Status::crashed,
-        fmt::format("killed by signal {} ({}){}{}{}", signal, name != nullptr ? name : "unknown", guess, when, said), now);
+    return failure(solver::Status::crashed,
+                   fmt::format("killed by signal {} ({}){}{}{}", signal, name != nullptr ? name : "unknown",
+                               guess, when, said),
+                   now);
   }
   if (reader_.partial())
-    return failure(solver::Status::crashed, fmt::format("exit code {} in the middle of its answer{}", exit_code, said), now);
-  return failure(
-      solver::Status::crashed,
-      outcome_ ? fmt::format("exit code {}{}{}", exit_code, when, said)
-               : fmt::format("exit code {} without an outcome{}", exit_code, said),
-      now);
+    return failure(solver::Status::crashed,
+                   fmt::format("exit code {} in the middle of its answer{}", exit_code, said), now);
+  return failure(solver::Status::crashed,
+                 outcome_ ? fmt::format("exit code {}{}{}", exit_code, when, said)
+                          : fmt::format("exit code {} without an outcome{}", exit_code, said),
+                 now);
 }
 
 solver::Outcome RealizationProcess::failure(solver::Status status, std::string reason, double now) const {

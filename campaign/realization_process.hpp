@@ -1,7 +1,7 @@
 // The parent's end of one realization that runs in a process of its own.
 //
-// A realization may crash, hang, run out of memory or write nonsense; here each of these becomes an outcome with a
-// status and a reason, and the campaign goes on.
+// A realization may crash, hang, run out of memory or write nonsense; here each of these becomes an outcome
+// with a status and a reason, and the campaign goes on.
 #pragma once
 
 #include <sys/types.h>
@@ -16,8 +16,8 @@ namespace cpt::campaign {
 
 class RealizationProcess {
  public:
-  /// Starts `command` (absolute path and arguments) and hands it the order. If it cannot be started, the first
-  /// service() returns a crashed outcome.
+  /// Starts `command` (absolute path and arguments) and hands it the order. If it cannot be started, the
+  /// first service() returns a crashed outcome.
   RealizationProcess(const std::vector<std::string>& command, Order order, double now);
   /// Kills the process if it still runs.
   ~RealizationProcess();
@@ -53,9 +53,9 @@ class RealizationProcess {
 
   Order order_;
   pid_t pid_ = -1;
-  int channel_ = -1;  // [-] socket to the child: the order down; progress and the outcome up
-  int errors_ = -1;   // [-] pipe from the child's stdout and stderr
-  double started_;    // [s]
+  int channel_ = -1;          // [-] socket to the child: the order down; progress and the outcome up
+  int errors_ = -1;           // [-] pipe from the child's stdout and stderr
+  double started_;            // [s]
   double last_step_forward_;  // [s]
   std::string start_failure_;
   FrameReader reader_;

@@ -18,13 +18,15 @@ namespace cpt::campaign {
 namespace {
 
 constexpr int master = 0;
-constexpr int most_losses = 2;        // of ranks with the same realization, before it is given up
-constexpr double muster_limit = 0.8;  // [s] to wait for the workers' offers before the first realization starts
+constexpr int most_losses = 2;  // of ranks with the same realization, before it is given up
+constexpr double muster_limit =
+    0.8;  // [s] to wait for the workers' offers before the first realization starts
 
 std::string describe(const parameters::Study& study, const parameters::Realization& realization) {
   if (realization.row < 0) return "baseline";
   const parameters::Row& row = study.rows.at(static_cast<std::size_t>(realization.row));
-  return fmt::format("{} = {}", row.quantity->name, row.quantity->format(parameter_value(study, realization)));
+  return fmt::format("{} = {}", row.quantity->name,
+                     row.quantity->format(parameter_value(study, realization)));
 }
 
 class Master {
@@ -39,7 +41,8 @@ class Master {
         executor_(options.realization_command),
         scheduler_(ledger.pending(), options.threads),
         started_(monotonic_seconds()) {
-    for (const parameters::Realization& realization : realizations) realizations_[realization.id] = realization;
+    for (const parameters::Realization& realization : realizations)
+      realizations_[realization.id] = realization;
     scheduler_.add_rank(master, transport.node(), own_slots(transport, options));
   }
 
@@ -69,7 +72,8 @@ class Master {
  private:
   [[nodiscard]] int stop_signal() const { return transport_.orphaned() ? 1 : StopSignals::received(); }
 
-  // Realizations wait until all ranks have made their offers, for the sake of those that run with several threads.
+  // Realizations wait until all ranks have made their offers, for the sake of those that run with several
+  // threads.
   [[nodiscard]] bool mustered(double now) const {
     return static_cast<int>(last_heard_.size()) + 1 >= transport_.size() || now > started_ + muster_limit;
   }
@@ -91,7 +95,8 @@ class Master {
     } else if (const auto* report = std::get_if<ProgressReport>(&message)) {
       const solver::Progress& progress = report->progress;
       if (scheduler_.runner(report->realization) == rank)
-        forecast_.progressed(report->realization, progress.depth / progress.final_depth, point_steps(progress), now);
+        forecast_.progressed(report->realization, progress.depth / progress.final_depth,
+                             point_steps(progress), now);
     } else if (const auto* ended = std::get_if<OutcomeReport>(&message)) {
       const bool completed = ended->outcome.status == solver::Status::completed;
       if (!scheduler_.end(ended->realization, rank, !completed)) return;
@@ -124,8 +129,9 @@ class Master {
   void record(int id, const solver::Outcome& outcome) {
     ledger_.record(id, outcome);
     const Tally tally = whole_tally();
-    std::string line = fmt::format("[{}/{}] realization {} ({}): {}", tally.finished + tally.failed, tally.total(), id,
-                                   describe(study_, realizations_.at(id)), solver::to_string(outcome.status));
+    std::string line =
+        fmt::format("[{}/{}] realization {} ({}): {}", tally.finished + tally.failed, tally.total(), id,
+                    describe(study_, realizations_.at(id)), solver::to_string(outcome.status));
     line += fmt::format(" after {}", format_duration(outcome.wall_seconds));
     if (!outcome.reason.empty()) line += ": " + outcome.reason;
     display_.note(line);
@@ -202,7 +208,8 @@ class Master {
 Summary run_campaign(const parameters::Study& study, const std::string& study_text, Transport& transport,
                      const RunOptions& options, ProgressDisplay& display) {
   const std::vector<parameters::Realization> realizations = parameters::one_at_a_time(study);
-  results::Ledger ledger = results::Ledger::open_for_run(study, realizations, {study_text, options.retry_failed});
+  results::Ledger ledger =
+      results::Ledger::open_for_run(study, realizations, {study_text, options.retry_failed});
   for (const std::string& message : ledger.opened().messages) display.note(message);
   return Master(study, realizations, ledger, transport, options, display).run();
 }

@@ -12,18 +12,18 @@ namespace cpt::campaign {
 
 /// How a campaign ended.
 struct Summary {
-  Tally tally;             ///< of the whole study, work of earlier campaigns included
-  int signal = 0;          ///< that stopped it; 0 if none did
+  Tally tally;              ///< of the whole study, work of earlier campaigns included
+  int signal = 0;           ///< that stopped it; 0 if none did
   bool ranks_lost = false;  ///< MPI cannot be finalized any more
   bool complete() const { return tally.finished == tally.total(); }
 };
 
-/// Runs what the study's database does not hold yet. Whatever a realization does ends up in the database as its
-/// status and reason; the campaign goes on. A worker that falls silent is lost: its realizations start again
-/// elsewhere, and after two losses count as rank_lost. SIGINT, SIGTERM and SIGHUP end the campaign with the database
-/// in order; the same call later goes on. Throws results::Locked if another campaign holds the database and
-/// results::Error if it cannot be used.
-[[nodiscard]] Summary run_campaign(const parameters::Study& study, const std::string& study_text, Transport& transport,
-                                   const RunOptions& options, ProgressDisplay& display);
+/// Runs what the study's database does not hold yet. Whatever a realization does ends up in the database as
+/// its status and reason; the campaign goes on. A worker that falls silent is lost: its realizations start
+/// again elsewhere, and after two losses count as rank_lost. SIGINT, SIGTERM and SIGHUP end the campaign with
+/// the database in order; the same call later goes on. Throws results::Locked if another campaign holds the
+/// database and results::Error if it cannot be used.
+[[nodiscard]] Summary run_campaign(const parameters::Study& study, const std::string& study_text,
+                                   Transport& transport, const RunOptions& options, ProgressDisplay& display);
 
 }  // namespace cpt::campaign

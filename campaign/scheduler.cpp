@@ -9,7 +9,8 @@ Scheduler::Scheduler(std::span<const int> realizations, int threads)
     : fixed_threads_(threads), pending_(realizations.begin(), realizations.end()) {}
 
 void Scheduler::add_rank(int rank, int node, int slots) {
-  if (!ranks_.emplace(rank, Rank{node, slots}).second) throw std::invalid_argument("rank offered its slots twice");
+  if (!ranks_.emplace(rank, Rank{node, slots}).second)
+    throw std::invalid_argument("rank offered its slots twice");
 }
 
 std::vector<int> Scheduler::lose_rank(int rank) {

@@ -24,24 +24,25 @@ struct Tally {
   [[nodiscard]] int total() const { return pending + running + finished + failed; }
 };
 
-/// Ranks contribute slots (cores) to their node. A realization is started by one rank and takes `threads` slots of
-/// that rank's node: one while enough realizations are pending to fill all cores, more when fewer remain.
+/// Ranks contribute slots (cores) to their node. A realization is started by one rank and takes `threads`
+/// slots of that rank's node: one while enough realizations are pending to fill all cores, more when fewer
+/// remain.
 class Scheduler {
  public:
-  /// Realizations are handed out in the order given. `threads` fixes the threads of every realization (at most its
-  /// node's slots); 0 chooses.
+  /// Realizations are handed out in the order given. `threads` fixes the threads of every realization (at
+  /// most its node's slots); 0 chooses.
   explicit Scheduler(std::span<const int> realizations, int threads = 0);
 
   /// A rank offers slots; 0 slots are allowed. Throws std::invalid_argument if the rank is known already.
   void add_rank(int rank, int node, int slots);
-  /// The rank is gone: its running realizations are pending again, before all others. Returns them. Its slots go to
-  /// another rank of its node, if there is one: the cores are still there.
+  /// The rank is gone: its running realizations are pending again, before all others. Returns them. Its slots
+  /// go to another rank of its node, if there is one: the cores are still there.
   std::vector<int> lose_rank(int rank);
 
   /// The next realization to start, which is then running; nullopt if none is pending or no slot is free.
   [[nodiscard]] std::optional<Assignment> next();
-  /// A running realization ended. False (and nothing changes) if `rank` is not running it: a late word from a lost
-  /// rank.
+  /// A running realization ended. False (and nothing changes) if `rank` is not running it: a late word from a
+  /// lost rank.
   bool end(int realization, int rank, bool failed);
   /// A pending realization is given up, for instance after several ranks were lost with it.
   void give_up(int realization);

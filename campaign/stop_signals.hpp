@@ -3,8 +3,8 @@
 
 namespace cpt::campaign {
 
-/// Catches the three signals for as long as it lives; a second one within a stop changes nothing. Also ignores
-/// SIGPIPE. At most one at a time.
+/// Catches the three signals for as long as it lives; a second one within a stop changes nothing. Also
+/// ignores SIGPIPE. At most one at a time.
 class StopSignals {
  public:
   StopSignals();

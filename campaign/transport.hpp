@@ -13,7 +13,8 @@ struct Received {
   Message message;
 };
 
-/// Nothing here blocks: who waits, sleeps between polls, so that a waiting rank leaves its core to realizations.
+/// Nothing here blocks: who waits, sleeps between polls, so that a waiting rank leaves its core to
+/// realizations.
 class Transport {
  public:
   virtual ~Transport() = default;

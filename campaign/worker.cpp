@@ -32,7 +32,8 @@ void serve_master(Transport& transport, const RunOptions& options) {
     while (std::optional<Received> received = transport.poll()) {
       busy = true;
       if (std::holds_alternative<Dismissed>(received->message)) return;
-      if (const Order* order = std::get_if<Order>(&received->message); order && !leaving) executor.start(*order, now);
+      if (const Order* order = std::get_if<Order>(&received->message); order && !leaving)
+        executor.start(*order, now);
     }
     for (const Message& message : executor.service(now)) {
       busy = true;

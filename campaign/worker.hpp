@@ -6,8 +6,8 @@
 
 namespace cpt::campaign {
 
-/// Cores this rank contributes: options.slots, or its share of what its machine allows. Also frees the rank from
-/// mpirun's binding (cores.hpp).
+/// Cores this rank contributes: options.slots, or its share of what its machine allows. Also frees the rank
+/// from mpirun's binding (cores.hpp).
 [[nodiscard]] int own_slots(const Transport& transport, const RunOptions& options);
 
 /// Offers this rank's slots to the master and serves it until it is dismissed.

@@ -47,11 +47,12 @@ void choose_stress(const Arguments& arguments, solver::ElementTest& test) {
 solver::ElementTest make_test(const Arguments& arguments) {
   const auto profile = arguments.clay ? solver::Profile::homogeneous_clay : solver::Profile::homogeneous_sand;
   solver::Setup setup = solver::make_setup(profile, solver::Preset::standard);
-  std::vector<std::string> settings = arguments.settings;
-  if (arguments.D_r_percent) settings.push_back(fmt::format("sand.D_r_percent={}", *arguments.D_r_percent));
-  for (const std::string& setting : settings) set_quantity(setup, setting, arguments.clay ? "clay." : "sand.");
   if (arguments.D_r_percent && (arguments.clay || arguments.e_0))
     throw BadInput("--D_r_percent is for sand, and in place of --e0");
+  std::vector<std::string> settings = arguments.settings;
+  if (arguments.D_r_percent) settings.push_back(fmt::format("sand.D_r_percent={}", *arguments.D_r_percent));
+  for (const std::string& setting : settings)
+    set_quantity(setup, setting, arguments.clay ? "clay." : "sand.");
 
   solver::ElementTest test;
   test.path = arguments.path;
@@ -103,7 +104,8 @@ int element(const Arguments& arguments) {
   throw BadInput(fmt::format("the test did not run to its end: {}", result.problem));
 }
 
-void add_path(CLI::App& command, const char* name, const char* meaning, solver::ElementPath path, Action& action) {
+void add_path(CLI::App& command, const char* name, const char* meaning, solver::ElementPath path,
+              Action& action) {
   auto arguments = std::make_shared<Arguments>();
   arguments->path = path;
   CLI::App* sub = command.add_subcommand(name, meaning);
@@ -113,7 +115,8 @@ void add_path(CLI::App& command, const char* name, const char* meaning, solver::
       ->check(CLI::IsMember({"sand", "clay"}))
       ->default_str("sand");
   if (path == solver::ElementPath::triaxial)
-    sub->add_flag("--drained,!--undrained", arguments->drained, "Constant cell pressure [default], or constant volume");
+    sub->add_flag("--drained,!--undrained", arguments->drained,
+                  "Constant cell pressure [default], or constant volume");
   sub->add_option("--set", arguments->settings,
                   "NAME=VALUE, any quantity of the material in its study unit; may be repeated")
       ->type_name("NAME=VALUE");
@@ -142,8 +145,10 @@ void add_element(CLI::App& program, Action& action) {
   command->require_subcommand(1);
   add_path(*command, "triaxial", "Axial compression at constant cell pressure, or at constant volume",
            solver::ElementPath::triaxial, action);
-  add_path(*command, "oedometer", "Axial compression without radial strain", solver::ElementPath::oedometer, action);
-  add_path(*command, "isotropic", "Compression with equal strain all round", solver::ElementPath::isotropic, action);
+  add_path(*command, "oedometer", "Axial compression without radial strain", solver::ElementPath::oedometer,
+           action);
+  add_path(*command, "isotropic", "Compression with equal strain all round", solver::ElementPath::isotropic,
+           action);
   command->footer(R"(
 Examples:
   campaign element triaxial --D_r_percent 80 --p0_kPa 320 --csv dense.csv

@@ -23,12 +23,13 @@ std::string range(const solver::Quantity& quantity) {
 }
 
 Table quantities() {
-  const solver::Setup setup = solver::make_setup(solver::Profile::layered_sand_clay, solver::Preset::standard);
+  const solver::Setup setup =
+      solver::make_setup(solver::Profile::layered_sand_clay, solver::Preset::standard);
   Table table{{"name", "symbol", "unit", "range", "default", "meaning", "source"}, {}};
   for (const solver::Quantity& quantity : solver::all_quantities())
-    table.rows.push_back({std::string(quantity.name), std::string(quantity.symbol), std::string(quantity.unit),
-                          range(quantity), quantity.format(quantity.value(setup)), std::string(quantity.meaning),
-                          std::string(quantity.source)});
+    table.rows.push_back({std::string(quantity.name), std::string(quantity.symbol),
+                          std::string(quantity.unit), range(quantity), quantity.format(quantity.value(setup)),
+                          std::string(quantity.meaning), std::string(quantity.source)});
   return table;
 }
 
@@ -45,7 +46,8 @@ Table profiles() {
 }
 
 Table presets() {
-  Table table{{"preset", "columns x rows per metre of material points", "elements over the cone's radius"}, {}};
+  Table table{{"preset", "columns x rows per metre of material points", "elements over the cone's radius"},
+              {}};
   for (const solver::Preset preset : solver::all_presets()) {
     const solver::Numerics numerics = solver::make_setup(solver::Profile::homogeneous_sand, preset).numerics;
     std::string zones;
@@ -85,29 +87,40 @@ struct Listing {
   Table (*make)();
 };
 constexpr Listing listings[] = {
-    {"quantities", "everything a study can set or vary: name, unit, valid range, default, source", quantities},
+    {"quantities", "everything a study can set or vary: name, unit, valid range, default, source",
+     quantities},
     {"profiles", "soil profiles a study can start from", profiles},
     {"presets", "resolutions of the model", presets},
     {"queries", "what campaign query answers", queries},
     {"outcomes", "how a realization can end", outcomes},
 };
 
+struct Arguments {
+  std::string what;
+  results::Format format = results::Format::table;
+};
+
+int list(const Arguments& arguments) {
+  for (const Listing& listing : listings)
+    if (arguments.what == listing.name) fmt::print("{}", results::format(listing.make(), arguments.format));
+  return all_well;
+}
+
 }  // namespace
 
 void add_list(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("list", "Print what there is to choose from");
-  command->require_subcommand(1);
+  std::vector<std::string> names;
+  std::string help = "\nWHAT is one of\n";
   for (const Listing& listing : listings) {
-    CLI::App* sub = command->add_subcommand(listing.name, listing.meaning);
-    auto format = std::make_shared<results::Format>(results::Format::table);
-    add_format_option(*sub, *format);
-    sub->callback([&listing, format, &action] {
-      action = [&listing, format] {
-        fmt::print("{}", results::format(listing.make(), *format));
-        return static_cast<int>(all_well);
-      };
-    });
+    names.emplace_back(listing.name);
+    help += fmt::format("  {:<14}{}\n", listing.name, listing.meaning);
   }
+  command->add_option("WHAT", arguments->what, "What to list")->required()->check(CLI::IsMember(names));
+  add_format_option(*command, arguments->format);
+  command->footer(help);
+  command->callback([arguments, &action] { action = [arguments] { return list(*arguments); }; });
 }
 
 }  // namespace cpt::cli

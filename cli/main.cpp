@@ -33,7 +33,8 @@ Examples:
 
 )";
 
-// `campaign STUDY ...` means `campaign run STUDY ...`. Throws BadInput for a word that is neither command nor study.
+// `campaign STUDY ...` means `campaign run STUDY ...`. Throws BadInput for a word that is neither command nor
+// study.
 std::vector<std::string> command_line(int argc, char** argv, const CLI::App& program) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty()) return words;
@@ -46,7 +47,8 @@ std::vector<std::string> command_line(int argc, char** argv, const CLI::App& pro
   commands.assign(names.begin(), names.end());
   if (std::find(commands.begin(), commands.end(), first) != commands.end()) return words;
   std::error_code ignored;
-  if (first.starts_with('-') || first.ends_with(".toml") || std::filesystem::is_regular_file(first, ignored)) {
+  if (first.starts_with('-') || first.ends_with(".toml") ||
+      std::filesystem::is_regular_file(first, ignored)) {
     words.insert(words.begin(), "run");
     return words;
   }
@@ -88,7 +90,8 @@ int complain(std::string_view message, int code) {
 
 int main(int argc, char** argv) {
   // The process of one realization; started by the campaign only.
-  if (argc == 2 && std::string_view(argv[1]) == "realize") return campaign::serve_realization(solver::simulate);
+  if (argc == 2 && std::string_view(argv[1]) == "realize")
+    return campaign::serve_realization(solver::simulate);
   try {
     return run_program(argc, argv);
   } catch (const cli::BadInput& problem) {

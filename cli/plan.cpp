@@ -54,8 +54,8 @@ void print_plan(const parameters::Study& study) {
       if (row.quantity->choices.empty()) unit = row.quantity->unit;
     }
     table.rows.push_back({std::int64_t{realization.id}, std::string(parameter_name(study, realization)),
-                          std::string(to_string(realization.side)), value_text(study, realization), baseline, unit,
-                          found == status.end() ? "new" : found->second});
+                          std::string(to_string(realization.side)), value_text(study, realization), baseline,
+                          unit, found == status.end() ? "new" : found->second});
   }
   fmt::print("{}", results::format(table, results::Format::table));
 }
@@ -78,8 +78,9 @@ int validate(const parameters::Study& study) {
     return bad_input;
   }
   fmt::print("{} is valid: {}, preset {}, {} realizations of up to {} material points, {} window{}\n",
-             study.file.filename().string(), solver::to_string(study.profile), solver::to_string(study.preset),
-             realizations.size(), material_points, study.windows.size(), study.windows.size() == 1 ? "" : "s");
+             study.file.filename().string(), solver::to_string(study.profile),
+             solver::to_string(study.preset), realizations.size(), material_points, study.windows.size(),
+             study.windows.size() == 1 ? "" : "s");
   return all_well;
 }
 

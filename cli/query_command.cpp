@@ -24,7 +24,8 @@ std::string what_help() {
   std::string help = "\nWHAT is one of\n";
   for (const results::NamedQuery& query : results::named_queries())
     help += fmt::format("  {:<14}{}\n", query.name, query.meaning);
-  help += fmt::format("  {:<14}{}\n", "sql \"...\"", "one read-only SQL statement of your own (docs/schema.md)");
+  help +=
+      fmt::format("  {:<14}{}\n", "sql \"...\"", "one read-only SQL statement of your own (docs/schema.md)");
   help += R"(
 Examples:
   campaign query sens.toml sensitivity

@@ -31,17 +31,20 @@ parameters::Realization find_realization(const parameters::Study& study, int id)
   const auto realizations = parameters::one_at_a_time(study);
   for (const parameters::Realization& realization : realizations)
     if (realization.id == id) return realization;
-  throw BadInput(fmt::format("{} has no realization {}; it has 1 to {}", study.name, id, realizations.size()));
+  throw BadInput(
+      fmt::format("{} has no realization {}; it has 1 to {}", study.name, id, realizations.size()));
 }
 
 results::StoredRun find_stored(const parameters::Study& study, const solver::Setup& setup, int id) {
   auto stored = results::read_run(study.database, id);
   if (!stored || stored->row.waiting())
-    throw BadInput(fmt::format("{} holds no finished realization {}; run the study first", study.database.string(), id));
+    throw BadInput(
+        fmt::format("{} holds no finished realization {}; run the study first", study.database.string(), id));
   if (stored->row.settings_hash != results::settings_hash(setup))
-    throw BadInput(fmt::format("realization {} was run with other settings or another solver version than the study "
-                               "has now; run the study again",
-                               id));
+    throw BadInput(
+        fmt::format("realization {} was run with other settings or another solver version than the study "
+                    "has now; run the study again",
+                    id));
   return *std::move(stored);
 }
 
@@ -66,10 +69,11 @@ int compare(const results::StoredRun& stored, const solver::Outcome& outcome, in
   const solver::DepthProfile before = stored.profile.value_or(solver::DepthProfile{});
   if (const auto bin = results::first_difference(before, outcome.profile)) {
     const auto q_c = [&](const solver::DepthProfile& profile) {
-      return *bin < profile.q_c.size() ? fmt::format("{:.17g} kPa", profile.q_c[*bin] * 1e-3) : std::string("nothing");
+      return *bin < profile.q_c.size() ? fmt::format("{:.17g} kPa", profile.q_c[*bin] * 1e-3)
+                                       : std::string("nothing");
     };
-    fmt::print("realization {} differs first in depth bin {}: q_c stored {}, now {}\n", id, *bin + 1, q_c(before),
-               q_c(outcome.profile));
+    fmt::print("realization {} differs first in depth bin {}: q_c stored {}, now {}\n", id, *bin + 1,
+               q_c(before), q_c(outcome.profile));
     return rerun_differs;
   }
   fmt::print("realization {} is {} as before; its curve of {} depth bins is identical bit for bit\n", id,
@@ -98,7 +102,8 @@ void add_rerun(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand(
       "rerun", "Run one realization again and say whether its curve is bit for bit the stored one");
   command->add_option("STUDY", arguments->study, "Study file that has been run")->required();
-  command->add_option("ID", arguments->id, "Realization, as campaign query STUDY realizations lists it")->required();
+  command->add_option("ID", arguments->id, "Realization, as campaign query STUDY realizations lists it")
+      ->required();
   command->add_option("--threads", arguments->threads, "Threads [all cores]; the bits do not depend on it")
       ->check(CLI::Range(1, 4096));
   add_executor_option(*command, arguments->executor);

@@ -54,7 +54,8 @@ int run_as_master(const Arguments& arguments, campaign::Transport& transport, bo
     fmt::print("{} of {} realizations completed, {} failed; database: {}\n", tally.finished, tally.total(),
                tally.failed, file.study.database.string());
   if (summary.signal != 0)
-    fmt::print(stderr, "stopped by signal {}; the same command goes on where this one stopped\n", summary.signal);
+    fmt::print(stderr, "stopped by signal {}; the same command goes on where this one stopped\n",
+               summary.signal);
   else if (!arguments.no_report)
     report(file.study);
   return exit_code(summary);
@@ -89,12 +90,16 @@ int run(const Arguments& arguments) {
 
 void add_run(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = program.add_subcommand("run", "Run a study, or go on with it: finished realizations are kept");
-  command->add_option("STUDY", arguments->study, "Study file (NAME.toml); results go to NAME.sqlite and NAME.h5 beside it")
+  CLI::App* command =
+      program.add_subcommand("run", "Run a study, or go on with it: finished realizations are kept");
+  command
+      ->add_option("STUDY", arguments->study,
+                   "Study file (NAME.toml); results go to NAME.sqlite and NAME.h5 beside it")
       ->required();
   command->add_flag("--validate", arguments->validate, "Check the study, build every model once, and quit");
   command->add_flag("--plan", arguments->plan, "Print the realizations and quit");
-  command->add_option("--slots", arguments->options.slots, "Cores each rank uses [its share of the machine's]")
+  command
+      ->add_option("--slots", arguments->options.slots, "Cores each rank uses [its share of the machine's]")
       ->check(CLI::Range(1, 4096));
   command
       ->add_option("--threads", arguments->options.threads,

@@ -16,8 +16,8 @@ double parse_value(const solver::Quantity& quantity, std::string_view text) {
   if (!quantity.choices.empty()) {
     const auto found = std::find(quantity.choices.begin(), quantity.choices.end(), text);
     if (found == quantity.choices.end())
-      throw BadInput(fmt::format("{} = {}: must be one of {}", quantity.name, text,
-                                 fmt::join(quantity.choices, ", ")));
+      throw BadInput(
+          fmt::format("{} = {}: must be one of {}", quantity.name, text, fmt::join(quantity.choices, ", ")));
     return static_cast<double>(found - quantity.choices.begin());
   }
   double value = 0.0;

@@ -54,7 +54,8 @@ std::vector<double> beside_windows(const std::vector<Inset>& insets, const Depth
 DepthPlot enlarged(const solver::DepthProfile& profile, const Inset& inset, const Box& box) {
   const double thickness = inset.window->to_m - inset.window->from_m;
   const double from = std::max(inset.window->from_m - thickness, 0.0);
-  const double to = inset.window->to_m + thickness;
+  const double to =
+      std::min(inset.window->to_m + thickness, std::max(profile.depth.back(), inset.window->to_m));
   double least = inset.mean->q_c_min_kPa;
   double largest = inset.mean->q_c_max_kPa;
   for (std::size_t i = 0; i < profile.depth.size(); ++i) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <limits>
 #include <string>
 
 #include "reports/labels.hpp"
@@ -16,17 +16,31 @@ constexpr double glyph_width = 16.0;
 constexpr double text_size = 7.5;
 constexpr double entry_pitch = 13.0;
 
+/// Median of a value and up to two neighbours on either side: a spike of one or two bins, as at the start of
+/// a push, must not set the scale.
+double median_around(const std::vector<double>& values, std::size_t i) {
+  std::vector<double> near;
+  for (std::size_t k = i < 2 ? 0 : i - 2; k <= i + 2 && k < values.size(); ++k)
+    if (std::isfinite(values[k])) near.push_back(values[k]);
+  if (near.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(near.begin(), near.end());
+  return near[(near.size() - 1) / 2];
+}
+
 }  // namespace
 
 bool DepthPlot::shows_clay(const std::vector<results::LayerRow>& layers) const {
-  return std::any_of(layers.begin(), layers.end(), [&](const results::LayerRow& layer) {
-    return layer.soil == "clay" && layer.top_m < depth.high && layer.bottom_m > depth.low;
-  });
+  const bool layered =
+      std::any_of(layers.begin(), layers.end(), [](const auto& layer) { return layer.soil != "clay"; });
+  return layered && std::any_of(layers.begin(), layers.end(), [&](const results::LayerRow& layer) {
+           return layer.soil == "clay" && layer.top_m < depth.high && layer.bottom_m > depth.low;
+         });
 }
 
 void DepthPlot::draw_ground(Svg& svg, const std::vector<results::LayerRow>& layers, int ticks_across,
                             int ticks_down) const {
   for (const results::LayerRow& layer : layers) {
+    if (!shows_clay(layers)) break;
     const double top = std::max(layer.top_m, depth.low);
     const double bottom = std::min(layer.bottom_m, depth.high);
     if (layer.soil == "clay" && bottom > top)
@@ -64,10 +78,11 @@ DepthPlot whole_profile(const results::Snapshot& campaign, const std::vector<res
         std::any_of(campaign.realizations.begin(), campaign.realizations.end(),
                     [&](const auto& run) { return run.id == curve.realization && run.completed(); });
     if (!whole && curves.size() > 1) continue;  // a run that blew up must not set the scale
-    for (const double q : curve.profile.q_c) {
+    for (std::size_t i = 0; i < curve.profile.q_c.size(); ++i) {
+      const double q = median_around(curve.profile.q_c, i) / kPa;
       if (!std::isfinite(q)) continue;
-      least = std::min(least, q / kPa);
-      largest = std::max(largest, q / kPa);
+      least = std::min(least, q);
+      largest = std::max(largest, q);
     }
   }
   const Range q = widened(least, largest, 0.04);

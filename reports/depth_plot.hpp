@@ -14,7 +14,7 @@ struct DepthPlot {
   Axis q_c;    ///< kPa
   Axis depth;  ///< m
 
-  /// Clay layers, then grid, tick labels and titles.
+  /// Clay layers (where there is sand, too), then grid, tick labels and titles.
   void draw_ground(Svg& svg, const std::vector<results::LayerRow>& layers, int ticks_across = 5,
                    int ticks_down = 8) const;
   void draw_curve(Svg& svg, const solver::DepthProfile& profile, const Pen& pen) const;
@@ -24,7 +24,8 @@ struct DepthPlot {
   [[nodiscard]] bool shows_clay(const std::vector<results::LayerRow>& layers) const;
 };
 
-/// Axes that hold all given curves from the soil's top, q_c from zero.
+/// Axes that hold all given curves from the soil's top, q_c from zero; spikes of single bins may leave the
+/// frame.
 [[nodiscard]] DepthPlot whole_profile(const results::Snapshot& campaign,
                                       const std::vector<results::CurveRow>& curves, const Box& box);
 

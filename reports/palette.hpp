@@ -9,9 +9,9 @@ namespace cpt::reports::palette {
 inline constexpr std::string_view ink = "#222222";
 inline constexpr std::string_view muted = "#666666";
 inline constexpr std::string_view faint = "#b5b5b5";
-inline constexpr std::string_view grid = "#e4e4e4";
+inline constexpr std::string_view grid = "#dddddd";
 inline constexpr std::string_view band = "#d9d9d9";
-inline constexpr std::string_view clay = "#efe4d0";
+inline constexpr std::string_view clay = "#f1e7d4";
 
 inline constexpr std::string_view blue = "#0072b2";
 inline constexpr std::string_view vermillion = "#d55e00";

@@ -70,10 +70,10 @@ std::vector<fs::path> write_report(const results::Snapshot& campaign, const fs::
   for (const results::WindowRow& window : campaign.windows) {
     const std::string part = file_part(window.name, taken);
     draw("tornado_" + part, tornado_figure(campaign, window),
-         fmt::format(
-             "Range of the average q_c in window {} between each input's lower and upper bound, whose values "
-             "stand at the bar's ends.",
-             window.name));
+         fmt::format("Range of the average cone resistance in window {} between each input's lower and upper "
+                     "bound, whose values "
+                     "stand at the bar's ends.",
+                     window.name));
     draw("sensitivity_" + part, sensitivity_figure(campaign, window),
          fmt::format(
              "Sensitivity index of each input in window {}; the dashed line is the noise of the baseline.",

@@ -3,6 +3,7 @@
 #include "solver/constitutive/kernels.hpp"
 
 #pragma GCC target("avx2,fma")
+#define CPT_PACK_BYTES 32
 #define CPT_KERNEL_NAMESPACE kernels_for_avx2
 #include "solver/constitutive/kernel_table.hpp"
 

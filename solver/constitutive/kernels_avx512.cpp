@@ -3,6 +3,7 @@
 #include "solver/constitutive/kernels.hpp"
 
 #pragma GCC target("avx512f,avx512dq,avx512vl,avx512bw,fma")
+#define CPT_PACK_BYTES 64
 #define CPT_KERNEL_NAMESPACE kernels_for_avx512
 #include "solver/constitutive/kernel_table.hpp"
 

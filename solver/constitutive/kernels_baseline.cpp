@@ -1,4 +1,5 @@
 // The kernels for any processor.
+#define CPT_PACK_BYTES 16
 #define CPT_KERNEL_NAMESPACE kernels_for_baseline
 #include "solver/constitutive/kernel_table.hpp"
 

@@ -9,11 +9,11 @@
 namespace cpt::solver {
 namespace {
 
-// Half widths of the rounded corner at triaxial compression in cos(1.5 theta + pi/4). That of the yield
-// surface only keeps its rounding error small; that of the gradient keeps the direction of flow from jumping
-// there.
+// Widths of the rounded corner at triaxial compression in x = cos(1.5 theta + pi/4). The yield surface's only keeps
+// its rounding error small; within the flow rule's (3.8 degrees of Lode angle) the direction of flow turns gradually.
 constexpr double yield_corner = 1e-3;
-constexpr double flow_corner = 0.03;
+constexpr double flow_corner = 0.1;
+constexpr double radial_eta = 0.05;
 
 NorSandConstants derive(const Sand& sand) {
   NorSandConstants c{};
@@ -30,6 +30,7 @@ NorSandConstants derive(const Sand& sand) {
   c.lode = c.M_tc / (3.0 + c.M_tc) / (std::sqrt(1.0 + yield_corner * yield_corner) - yield_corner);
   c.yield_corner = yield_corner;
   c.flow_corner = flow_corner;
+  c.radial_eta = radial_eta;
   c.N = sand.N;
   c.chi_tc = sand.chi_tc;
   c.chi_over_M = sand.chi_tc / c.M_tc;

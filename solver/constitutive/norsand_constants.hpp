@@ -19,6 +19,7 @@ struct NorSandConstants {
   double lode;          // [-] M_tc / (3 + M_tc) over the smoothed corner's range
   double yield_corner;  // [-] half width of the rounded corner of the yield surface at triaxial compression
   double flow_corner;   // [-] the same in the gradient of F
+  double radial_eta;    // [-] stress ratio well below which deviatoric flow is radial
   double N;             // [-]
   double chi_tc;        // [-]
   double chi_over_M;    // [-] chi_tc / M_tc

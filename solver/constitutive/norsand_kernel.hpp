@@ -16,9 +16,12 @@ constexpr double smallest_substep =
 constexpr double vertex_size = 1e-4;  // [-] q / p up to which a state counts as on the axis
 constexpr double small_deviator =
     1e-4;                             // [-] s : s / p^2 below which errors of s are no longer relative to it
-constexpr int substep_limit = 20000;  // [-] more than the smallest sub-step can need
+constexpr double smallest_approach = 1e-6;    // [-] the same on the way to the vertex
+constexpr int substep_limit = 400;  // [-] more than the smallest sub-step can need
 constexpr int crossing_limit = 30;
 constexpr int drift_limit = 8;
+constexpr double cap_tolerance = 1e-9;  // [-] ln(p_i / (cap_ratio p_mx)) that counts as at the cap
+constexpr int cap_limit = 5;
 
 /// p along the elastic path over the growth that the initial modulus gives: ((1 + (1-b) x)^(1/(1-b)) - 1) / x
 /// with x = K dv / p. The deviator follows in proportion, because G / K is constant.
@@ -119,11 +122,12 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
 /// Brings lanes back to the yield surface at constant strain.
 [[maybe_unused]] static void correct_drift(const Constants& c, State& y, const Strain& strain, Mask lanes_on,
                                            Mask on_vertex, bool only_outside) {
+  Mask open = lanes_on;
   for (int i = 0; i < drift_limit; ++i) {
     Flow f;
     flow_at(c, y, strain.d, on_vertex, f);
     const Pack distance = only_outside ? f.yield : abs(f.yield);
-    const Mask off = lanes_on & greater(distance, splat(yield_tolerance));
+    const Mask off = open & greater(distance, splat(yield_tolerance));
     if (!any(off)) return;
     const Pack multiplier = select(off, f.yield * f.p / f.stiffness, splat(0.0));
     y.p -= multiplier * f.K * f.n_p;
@@ -131,7 +135,8 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
     y.p_i = at_least(y.p_i + multiplier * f.hardening, splat(c.p_i_min));
     // The correction's own error is of the order of the distance squared, over eta near the axis.
     const Pack eta = f.image.M_itc - f.n_p;
-    if (!any(off & greater(distance, 1e-5 * eta))) return;
+    open = off & greater(distance, 1e-5 * eta);
+    if (!any(open)) return;
   }
 }
 
@@ -200,10 +205,10 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
     Pack error2, turn;
     State next = modified_euler(c, now, f, strain, e_growth, h, none(), error2, turn);
     // A step beyond the axis is shortened until it ends near it; there the vertex takes over.
-    const Mask shortest = at_most_mask(h, splat(smallest_substep));
     const Mask beyond = less(turn, splat(1.0));
+    const Mask shortest = at_most_mask(h, splat(smallest_substep));
     const Mask near =
-        active & (at_most_mask(1.5 * contract(now.s, f.unit), vertex_size * f.p) | (beyond & shortest));
+        active & (at_most_mask(1.5 * contract(now.s, f.unit), vertex_size * f.p) | at_most_mask(h, splat(smallest_approach)));
     const Mask too_far = beyond & !near;
     Mask on_vertex = none();
     if (any(near)) on_vertex = step_near_axis(c, now, strain, e_growth, h, near, beyond, next, error2);
@@ -219,25 +224,33 @@ CPT_INLINE State select(Mask m, const State& a, const State& b) {
     if (!any(active)) break;
     const Pack factor = 0.9 * sqrt(sqrt(tolerance2 / at_least(error2, splat(1e-40))));
     const Pack change = select(too_far, 0.999 * turn, at_most(at_least(factor, splat(0.1)), splat(2.0)));
-    length = at_least(h * change, splat(smallest_substep));
+    length = at_least(h * change, select(too_far, splat(0.0), splat(smallest_substep)));
     flow_at(c, now, strain.d, none(), f);
   }
   y = select(plastic, now, y);
 }
 
+/// ln(p_i / (cap_ratio p_mx))
+CPT_INLINE Pack excess_over_cap(const Constants& c, const Image& image, Pack log_p) {
+  return image.log_p_i - log_p - (c.log_cap + image.log_p_mx);
+}
+
 /// The rules at the ends of the law's range: inner cap, and no stress below p_min.
 CPT_INLINE void limit_state(const Constants& c, const Strain& strain, Mask contracting, State& y) {
-  const Mask carries = !less(y.p, splat(c.p_min));
   const Pack log_p = log(at_least(y.p, splat(c.p_min)));
-  const Image image = image_at(c, y.p_i, y.e);
-  const Pack excess = image.log_p_i - log_p - (c.log_cap + image.log_p_mx);
-  const Mask capped = greater(excess, splat(0.0));
-  if (any(capped)) {
-    // One Newton step for ln p_i: p_mx itself depends on p_i through psi_i.
+  Mask capped = none();
+  for (int i = 0; i < cap_limit; ++i) {
+    // Newton's method for ln p_i, because p_mx itself depends on p_i through psi_i.
+    const Image image = image_at(c, y.p_i, y.e);
+    const Pack excess = excess_over_cap(c, image, log_p);
+    const Mask above = greater(excess, splat(cap_tolerance));
+    if (!any(above)) break;
     const Pack log_p_i = image.log_p_i - excess / (1.0 + image.chi * image.slope / image.M_itc);
-    y.p_i = select(capped, at_least(exp(log_p_i), splat(c.p_i_min)), y.p_i);
-    correct_drift(c, y, strain, capped & carries, none(), true);
+    y.p_i = select(above, at_least(exp(log_p_i), splat(c.p_i_min)), y.p_i);
+    capped = capped | above;
   }
+  const Mask carries = !less(y.p, splat(c.p_min));
+  if (any(capped)) correct_drift(c, y, strain, capped & carries, none(), true);
   const Mask stays = greater(y.p, splat(0.0)) & contracting;
   const Mask weak = less(y.p, splat(c.p_min));
   y.p = select(weak & !stays, splat(0.0), y.p);
@@ -327,7 +340,7 @@ CPT_INLINE Pack update_pack(const Constants& c, const Batch& batch, decltype(bat
   const Image image = image_at(c, y.p_i, e_end);
   const Pack F = yield_value(c, p, log_p, end.s, image);
   const Mask slow = greater(F, splat(yield_tolerance)) | loose | less(end.p, splat(c.p_min)) |
-                    greater(image.log_p_i - log_p, c.log_cap + image.log_p_mx);
+                    greater(excess_over_cap(c, image, log_p), splat(cap_tolerance));
   if (any(slow)) {
     State settled;
     update_slowly(c, path, end, F, slow, contracting, e_end, settled, stress);

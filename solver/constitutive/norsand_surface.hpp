@@ -77,15 +77,15 @@ CPT_INLINE Image image_at(const Constants& c, Pack p_i, Pack e) {
 /// for a tiny rounding that leaves triaxial compression and extension unchanged.
 struct Lode {
   Pack sin3theta;
-  Pack x2;
+  Pack x;
   Pack ratio;  // M(theta) / M_tc
 };
 /// `unit` is the deviator divided by q.
 CPT_INLINE Lode lode_at(const Constants& c, const Deviator& unit) {
   Lode lode;
   lode.sin3theta = at_most(at_least(13.5 * determinant(unit), splat(-1.0)), splat(1.0));
-  lode.x2 = 0.5 - 0.5 * lode.sin3theta;
-  lode.ratio = 1.0 - c.lode * (sqrt(lode.x2 + c.yield_corner * c.yield_corner) - c.yield_corner);
+  lode.x = sqrt(0.5 - 0.5 * lode.sin3theta + c.yield_corner * c.yield_corner);
+  lode.ratio = 1.0 - c.lode * (lode.x - c.yield_corner);
   return lode;
 }
 
@@ -120,6 +120,9 @@ struct Flow {
 /// elsewhere it follows the strain deviator.
 [[maybe_unused]] static void flow_at(const Constants& c, const State& y, const Deviator& strain,
                                      Mask on_vertex, Flow& f) {
+#ifdef CPT_COUNT
+  ++cpt_count;
+#endif
   f.p = at_least(y.p, splat(c.p_min));
   f.log_p = log(f.p);
   const Pack inverse_p = 1.0 / f.p;
@@ -145,8 +148,12 @@ struct Flow {
   f.n_p = M_i - eta;
 
   // dF/ds = 3/2 unit - (q / g) dg/dsin3theta dsin3theta/ds, with p M_i (1 + ln(p_i/p)) = q on the surface.
-  // The rounding of the corner is that of the flow rule.
-  const Pack a = 0.25 * c.lode / (sqrt(lode.x2 + c.flow_corner * c.flow_corner) * lode.ratio);
+  // Next to the corner a parabola takes the place of x, so that the direction of flow turns gradually; near the axis,
+  // where the Lode angle means little and the equations are stiff, flow becomes radial.
+  const Pack parabola = (lode.x * lode.x) * (0.5 / c.flow_corner) + 0.5 * c.flow_corner;
+  const Pack smooth_x = select(less(lode.x, splat(c.flow_corner)), parabola, lode.x);
+  const Pack eta2 = eta * eta;
+  const Pack a = 0.25 * c.lode * eta2 / (smooth_x * lode.ratio * (eta2 + c.radial_eta * c.radial_eta));
   const Pack hoop = f.unit.rr + f.unit.zz;
   const Pack shear2 = f.unit.rz * f.unit.rz;
   const Deviator square = {f.unit.rr * f.unit.rr + shear2 - 2.0 / 9.0,

@@ -9,21 +9,15 @@
 #include <immintrin.h>
 #endif
 
-#ifndef CPT_KERNEL_NAMESPACE
-#error "define CPT_KERNEL_NAMESPACE before including a kernel"
+#if !defined(CPT_KERNEL_NAMESPACE) || !defined(CPT_PACK_BYTES)
+#error "define CPT_KERNEL_NAMESPACE and CPT_PACK_BYTES before including a kernel"
 #endif
 
 #define CPT_INLINE [[maybe_unused]] static inline __attribute__((always_inline))
 
 namespace cpt::solver::CPT_KERNEL_NAMESPACE {
 
-#if defined(__AVX512DQ__)
-constexpr int pack_bytes = 64;
-#elif defined(__AVX2__)
-constexpr int pack_bytes = 32;
-#else
-constexpr int pack_bytes = 16;
-#endif
+constexpr int pack_bytes = CPT_PACK_BYTES;
 constexpr int lanes = pack_bytes / 8;
 
 typedef double Pack __attribute__((vector_size(pack_bytes)));
@@ -38,7 +32,7 @@ CPT_INLINE Pack splat(double x) {
 CPT_INLINE Pack load(const double* x) { return *reinterpret_cast<const Pack*>(x); }    // aligned
 CPT_INLINE void store(double* x, Pack value) { *reinterpret_cast<Pack*>(x) = value; }  // aligned
 
-#if defined(__AVX512DQ__)
+#if CPT_PACK_BYTES == 64
 
 struct Mask {
   __mmask8 bits;
@@ -67,7 +61,7 @@ CPT_INLINE Mask none() { return {Bits{}}; }
 CPT_INLINE Mask less(Pack a, Pack b) { return {reinterpret_cast<Bits>(a < b)}; }
 CPT_INLINE Mask at_most_mask(Pack a, Pack b) { return {reinterpret_cast<Bits>(a <= b)}; }
 
-#if defined(__AVX2__)
+#if CPT_PACK_BYTES == 32
 CPT_INLINE bool any(Mask a) { return _mm256_movemask_pd(reinterpret_cast<Pack>(a.bits)) != 0; }
 CPT_INLINE Pack select(Mask m, Pack a, Pack b) {
   return _mm256_blendv_pd(b, a, reinterpret_cast<Pack>(m.bits));

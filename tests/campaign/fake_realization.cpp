@@ -1,9 +1,9 @@
-// Stands in for the solver in tests of the campaign: a smooth curve made from all inputs, in a fraction of a second,
-// or one of the ways in which a realization can go wrong.
+// Stands in for the solver in tests of the campaign: a smooth curve made from all inputs, in a fraction of a
+// second, or one of the ways in which a realization can go wrong.
 //
-// CPT_FAKE holds rules "QUANTITY=VALUE:BEHAVIOUR", separated by ';': the behaviour of realizations whose input has
-// that value; "*:BEHAVIOUR" means all. CPT_FAKE_SECONDS is how long one takes (0.05). CPT_FAKE_LOG names a file to
-// which each start appends "process-id quantity-hash".
+// CPT_FAKE holds rules "QUANTITY=VALUE:BEHAVIOUR", separated by ';': the behaviour of realizations whose
+// input has that value; "*:BEHAVIOUR" means all. CPT_FAKE_SECONDS is how long one takes (0.05). CPT_FAKE_LOG
+// names a file to which each start appends "process-id quantity-hash".
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/socket.h>
@@ -46,7 +46,8 @@ std::string behaviour_of(const solver::Setup& setup) {
     const auto equals = condition.find('=');
     const solver::Quantity* quantity = solver::find_quantity(condition.substr(0, equals));
     if (quantity == nullptr) throw std::invalid_argument("CPT_FAKE: unknown quantity in " + rule);
-    if (quantity->format(quantity->value(setup)) == condition.substr(equals + 1)) return rule.substr(colon + 1);
+    if (quantity->format(quantity->value(setup)) == condition.substr(equals + 1))
+      return rule.substr(colon + 1);
   }
   return "curve";
 }

@@ -97,7 +97,8 @@ TEST_P(RealizationProcessCrash, IsRecordedWithItsReason) {
 INSTANTIATE_TEST_SUITE_P(
     Kinds, RealizationProcessCrash,
     testing::Values(Failure{"segfault", "killed by signal 11 (Segmentation fault)"},
-                    Failure{"out_of_memory", "killed by signal 9 (Killed), as the system does when memory runs out"},
+                    Failure{"out_of_memory",
+                            "killed by signal 9 (Killed), as the system does when memory runs out"},
                     Failure{"throw", "exit code 1 without an outcome; its last words: the fake throws"},
                     Failure{"exit_3", "exit code 3 without an outcome"},
                     Failure{"garbage", "sent an unreadable answer: bytes that are no message"},
@@ -157,7 +158,8 @@ TEST(RealizationProcess, DiesWithItsParent) {
   if (parent == 0) {
     RealizationProcess process({FAKE_REALIZATION}, order(), monotonic_seconds());
     const pid_t pid = process.pid();
-    while (!process.service(monotonic_seconds()).progress) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (!process.service(monotonic_seconds()).progress)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (::write(pipe_ends[1], &pid, sizeof pid) != sizeof pid) std::_Exit(1);
     ::raise(SIGKILL);
   }

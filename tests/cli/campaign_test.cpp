@@ -1,5 +1,5 @@
-// Campaigns from the command line, with a stand-in for the solver: same results on any number of ranks, failures on
-// record, kills survived.
+// Campaigns from the command line, with a stand-in for the solver: same results on any number of ranks,
+// failures on record, kills survived.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -83,8 +83,8 @@ TEST(Campaign, BothRanksWork) {
   Background job(mpirun(2, arguments(folder.study(), {"--slots", "1"})), {"CPT_FAKE_SECONDS=0.5"});
   EXPECT_TRUE(eventually([&] {
     const auto ranks = children_of(job.pid());
-    return ranks.size() == 2 && std::all_of(ranks.begin(), ranks.end(),
-                                            [](pid_t rank) { return children_of(rank).size() == 1; });
+    return ranks.size() == 2 &&
+           std::all_of(ranks.begin(), ranks.end(), [](pid_t rank) { return children_of(rank).size() == 1; });
   }));
   EXPECT_EQ(job.wait().exit_code, 0);
 }
@@ -96,8 +96,8 @@ TEST(Campaign, FailuresAreOnRecordAndTheOthersGoOn) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_NE(result.out.find("3 of 6 realizations completed, 3 failed"), std::string::npos) << result.out;
   const std::string failures = run(campaign({"query", folder.study(), "failures", "--format", "csv"})).out;
-  for (const char* part : {"crashed,killed by signal 11 (Segmentation fault)", "time_limit,hung: no step for 0.5 s",
-                           "crashed,sent an unreadable answer"})
+  for (const char* part : {"crashed,killed by signal 11 (Segmentation fault)",
+                           "time_limit,\"hung: no step for 0.5 s", "crashed,sent an unreadable answer"})
     EXPECT_NE(failures.find(part), std::string::npos) << failures;
 }
 
@@ -210,12 +210,15 @@ std::string name_of(const testing::TestParamInfo<Victim>& instance) {
   return names[static_cast<int>(instance.param)];
 }
 INSTANTIATE_TEST_SUITE_P(Processes, Killed,
-                         testing::Values(Victim::launcher, Victim::master, Victim::worker, Victim::realization), name_of);
+                         testing::Values(Victim::launcher, Victim::master, Victim::worker,
+                                         Victim::realization),
+                         name_of);
 
 TEST(Campaign, LostRankIsReplacedWhereTheLauncherLetsTheOthersLive) {
   const StudyFolder folder;
-  Background job(mpirun(2, arguments(folder.study(), {"--slots", "1", "--rank-limit", "5"}), {"--enable-recovery"}),
-                 {"CPT_FAKE_SECONDS=0.4"});
+  Background job(
+      mpirun(2, arguments(folder.study(), {"--slots", "1", "--rank-limit", "5"}), {"--enable-recovery"}),
+      {"CPT_FAKE_SECONDS=0.4"});
   ASSERT_TRUE(eventually([&] { return completed(folder).find_first_of("23") != std::string::npos; }));
   ASSERT_EQ(::kill(find(Victim::worker, job.pid()), SIGKILL), 0);
   const Result result = job.wait();

@@ -63,8 +63,9 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
 
 TEST(CommandLine, StudyErrorsAreAllPrintedOnceUnderMpirunToo) {
   const StudyFolder folder;
-  folder.write("bad.toml", "profile = \"homogeneous_sand\"\n[parameters]\n\"sand.Hh\" = { upper = 75 }\n"
-                           "\"sand.nu\" = { upper = 0.9 }\n[[windows]]\nname = \"w\"\nfrom_m = 0.1\nto_m = 0.2\n");
+  folder.write("bad.toml",
+               "profile = \"homogeneous_sand\"\n[parameters]\n\"sand.Hh\" = { upper = 75 }\n"
+               "\"sand.nu\" = { upper = 0.9 }\n[[windows]]\nname = \"w\"\nfrom_m = 0.1\nto_m = 0.2\n");
   for (const Command& command : {campaign({folder.file("bad.toml")}), mpirun(2, {folder.file("bad.toml")})}) {
     const Result result = run(command);
     EXPECT_EQ(result.exit_code, 2);
@@ -107,8 +108,8 @@ TEST(CommandLine, ListsQuantitiesInThreeFormats) {
 TEST(CommandLine, ElementTestsEndAtTheCriticalStateAndAtTwiceTheStrength) {
   const StudyFolder folder;
   const std::string csv = folder.file("sand.csv");
-  const Result sand = run(campaign({"element", "triaxial", "--D_r_percent", "51", "--p0_kPa", "320", "--strain_percent",
-                                    "200", "--steps", "2000", "--csv", csv}));
+  const Result sand = run(campaign({"element", "triaxial", "--D_r_percent", "51", "--p0_kPa", "320",
+                                    "--strain_percent", "200", "--steps", "2000", "--csv", csv}));
   ASSERT_EQ(sand.exit_code, 0) << sand.err;
   const std::string rows = folder.read("sand.csv");
   ASSERT_EQ(rows.substr(0, rows.find_first_of("\r\n")), "eps_a,eps_v,q_kPa,p_kPa,e,psi,p_i_kPa");

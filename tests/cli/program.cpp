@@ -75,7 +75,8 @@ Background::Background(const Command& command, const std::vector<std::string>& v
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, out_.c_str(), O_WRONLY | O_TRUNC, 0600);
   posix_spawn_file_actions_addopen(&actions, 2, err_.c_str(), O_WRONLY | O_TRUNC, 0600);
-  EXPECT_EQ(::posix_spawnp(&pid_, words[0], &actions, nullptr, words.data(), environment.data()), 0) << command[0];
+  EXPECT_EQ(::posix_spawnp(&pid_, words[0], &actions, nullptr, words.data(), environment.data()), 0)
+      << command[0];
   posix_spawn_file_actions_destroy(&actions);
 }
 
@@ -92,7 +93,8 @@ Result Background::wait() {
   int status = 0;
   ::waitpid(pid_, &status, 0);
   pid_ = -1;
-  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), read_file(out_), read_file(err_)};
+  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), read_file(out_),
+          read_file(err_)};
 }
 
 Result run(const Command& command, const std::vector<std::string>& variables) {

@@ -15,7 +15,8 @@ using Command = std::vector<std::string>;
 /// `campaign` with these arguments.
 [[nodiscard]] Command campaign(std::vector<std::string> arguments);
 /// The same under mpirun with `ranks` ranks, with `mpi_options` for mpirun itself.
-[[nodiscard]] Command mpirun(int ranks, std::vector<std::string> arguments, std::vector<std::string> mpi_options = {});
+[[nodiscard]] Command mpirun(int ranks, std::vector<std::string> arguments,
+                             std::vector<std::string> mpi_options = {});
 
 struct Result {
   int exit_code = -1;  ///< 128 + signal if a signal ended it

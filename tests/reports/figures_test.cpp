@@ -70,11 +70,23 @@ TEST_F(Figures, SensitivityMarksNegativeAndBelowNoise) {
 TEST_F(Figures, ProfilesShadeClayAndTellTheFurthestApart) {
   const auto layered = run_made_up(layered_study(folder));
   const std::string svg = profiles_figure(layered).value();
-  EXPECT_GT(count(svg, "#efe4d0"), 2u);
+  EXPECT_GT(count(svg, "#f1e7d4"), 2u);
   EXPECT_EQ(count(svg, "<path "), layered.curves.size());
   EXPECT_TRUE(has(svg, " = 75<"));
   const auto sand = run_made_up(sand_study(folder));
-  EXPECT_EQ(count(profiles_figure(sand).value(), "#efe4d0"), 0u);
+  EXPECT_EQ(count(profiles_figure(sand).value(), "#f1e7d4"), 0u);
+  const auto clay = run_made_up(clay_study(folder));  // one soil: nothing to tell apart
+  EXPECT_EQ(count(profiles_figure(clay).value(), "#f1e7d4"), 0u);
+}
+
+TEST_F(Figures, SpikeOfOneBinDoesNotSetTheScale) {
+  auto campaign = run_made_up(clay_study(folder));
+  const std::string calm = profiles_figure(campaign).value();
+  campaign.curves[0].profile.q_c[0] = 1e9;
+  campaign.curves[3].profile.q_c[400] = -1e9;
+  const std::string spiky = profiles_figure(campaign).value();
+  const auto axis_labels = [](const std::string& svg) { return svg.substr(0, svg.find("<path")); };
+  EXPECT_EQ(axis_labels(spiky), axis_labels(calm));
 }
 
 TEST_F(Figures, BaselineEnlargesEveryWindow) {

@@ -2,6 +2,7 @@
 #include "tests/solver/constitutive/pack_math_probe.hpp"
 
 #pragma GCC target("avx2,fma")
+#define CPT_PACK_BYTES 32
 #define CPT_KERNEL_NAMESPACE probe_for_avx2
 #include "solver/constitutive/pack_math.hpp"
 

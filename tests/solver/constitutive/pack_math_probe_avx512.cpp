@@ -2,6 +2,7 @@
 #include "tests/solver/constitutive/pack_math_probe.hpp"
 
 #pragma GCC target("avx512f,avx512dq,avx512vl,avx512bw,fma")
+#define CPT_PACK_BYTES 64
 #define CPT_KERNEL_NAMESPACE probe_for_avx512
 #include "solver/constitutive/pack_math.hpp"
 

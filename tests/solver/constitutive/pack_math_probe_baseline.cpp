@@ -1,5 +1,6 @@
 #include "tests/solver/constitutive/pack_math_probe.hpp"
 
+#define CPT_PACK_BYTES 16
 #define CPT_KERNEL_NAMESPACE probe_for_baseline
 #include "solver/constitutive/pack_math.hpp"
 
