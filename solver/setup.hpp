@@ -45,8 +45,7 @@ struct Sand {
   double hardening_exponent = 2.0;  // [-] exponent of (p/p_i) in the hardening rule
   double p_min = 500.0;             // [Pa] below this mean stress the sand carries none
   DeviatoricFlow flow = DeviatoricFlow::associated;
-  double substep_tolerance =
-      1e-5;  // [-] relative error of stress and p_i allowed in one sub-step of the stress update
+  double substep_tolerance = 1e-3;  // [-] relative error of stress and p_i allowed in one sub-step
 };
 
 /// Tresca; baseline of Yost et al. (2023), Table 3.

@@ -21,15 +21,25 @@ namespace cpt::solver::CPT_KERNEL_NAMESPACE {
   y.s = {-stress.rr - y.p, -stress.zz - y.p, splat(-stress.rz)};
   y.p_i = splat(p_i);
   y.e = splat(e);
+  const Pack p = at_least(y.p, splat(c.p_min));
+  const Powers w = powers_at(c, p, y.p_i);
   Flow f;
-  flow_at(c, y, Deviator{}, none(), f);
-  const Image at_p = image_at(c, f.p, y.e);
-  const Pack q = sqrt(1.5 * contract(y.s, y.s));
-  const Pack M_i = f.n_p + q / f.p;
-  return {
-      y.p[0],           q[0],   13.5 * determinant(f.unit)[0],    at_p.psi[0], f.image.psi[0], f.image.chi[0],
-      f.image.M_itc[0], M_i[0], (f.p * exp(f.image.log_p_mx))[0], f.n_p[0],    f.G[0],         f.K[0],
-      f.yield[0]};
+  flow_at(c, y, w, Deviator{}, none(), f);
+  const Image image = image_at(c, w.slope, y.e), at_p = image_at(c, powers_at(c, p, p).slope, y.e);
+  const Pack q = f.eta * f.p;
+  return {y.p[0],
+          q[0],
+          13.5 * determinant(f.unit)[0],
+          at_p.psi[0],
+          image.psi[0],
+          (c.chi_tc / image.D)[0],
+          (image.M_itc_D / image.D)[0],
+          f.M_i[0],
+          (f.p * exp(-c.chi_tc * image.psi / image.M_itc_D))[0],
+          f.n_p[0],
+          f.G[0],
+          f.K[0],
+          f.yield[0]};
 }
 
 }  // namespace cpt::solver::CPT_KERNEL_NAMESPACE

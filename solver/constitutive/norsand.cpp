@@ -9,11 +9,17 @@
 namespace cpt::solver {
 namespace {
 
-// Widths of the rounded corner at triaxial compression in x = cos(1.5 theta + pi/4). The yield surface's only keeps
-// its rounding error small; within the flow rule's (3.8 degrees of Lode angle) the direction of flow turns gradually.
+// Widths of the rounded corner at triaxial compression in x = cos(1.5 theta + pi/4). The yield surface's only
+// keeps its rounding error small; within the flow rule's (3.8 degrees of Lode angle) the direction of flow
+// turns gradually.
 constexpr double yield_corner = 1e-3;
 constexpr double flow_corner = 0.1;
-constexpr double radial_eta = 0.05;
+constexpr double near_axis = 0.1;
+
+void set_binomial(double exponent, double (&coefficient)[8]) {
+  coefficient[0] = 1.0;
+  for (int k = 1; k < 8; ++k) coefficient[k] = coefficient[k - 1] * (exponent - (k - 1)) / k;
+}
 
 NorSandConstants derive(const Sand& sand) {
   NorSandConstants c{};
@@ -24,13 +30,19 @@ NorSandConstants derive(const Sand& sand) {
   c.G_scale = sand.G_ref * reference_pressure;
   // The elastic path in closed form has a removable singularity at b = 1.
   c.b = std::min(sand.b, 1.0 - 1e-6);
+  set_binomial(c.b, c.power_b);
+  set_binomial(c.m, c.power_m);
+  // ((1 + (1-b) x)^(1/(1-b)) - 1) / x
+  c.secant[0] = 1.0;
+  for (int k = 1; k < 7; ++k) c.secant[k] = c.secant[k - 1] * (k * c.b - (k - 1)) / (k + 1);
   c.e_min_star = sand.e_min_star;
   c.K_over_G = 2.0 * (1.0 + sand.nu) / (3.0 * (1.0 - 2.0 * sand.nu));
   c.M_tc = 6.0 * std::sin(sand.phi_cs) / (3.0 - std::sin(sand.phi_cs));
   c.lode = c.M_tc / (3.0 + c.M_tc) / (std::sqrt(1.0 + yield_corner * yield_corner) - yield_corner);
+  c.M_lowest = 1.0 - c.M_tc / (3.0 + c.M_tc);
   c.yield_corner = yield_corner;
   c.flow_corner = flow_corner;
-  c.radial_eta = radial_eta;
+  c.near_axis = near_axis;
   c.N = sand.N;
   c.chi_tc = sand.chi_tc;
   c.chi_over_M = sand.chi_tc / c.M_tc;

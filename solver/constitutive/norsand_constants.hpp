@@ -12,14 +12,18 @@ struct NorSandConstants {
   // Elasticity: G = G_ref p_a / (e - e_min_star) (p / p_a)^b.
   double G_scale;     // [Pa] G_ref p_a
   double b;           // [-]
+  double power_b[8];  // [-] binomial coefficients of (1 + u)^b
+  double secant[7];   // [-] series of the elastic path's secant modulus (norsand_elastic_path.hpp)
+  double power_m[8];  // [-] the same of (1 + u)^m
   double e_min_star;  // [-]
   double K_over_G;    // [-]
   // Strength and dilatancy.
   double M_tc;          // [-]
   double lode;          // [-] M_tc / (3 + M_tc) over the smoothed corner's range
+  double M_lowest;      // [-] least value of M(theta) / M_tc, at triaxial extension
   double yield_corner;  // [-] half width of the rounded corner of the yield surface at triaxial compression
   double flow_corner;   // [-] the same in the gradient of F
-  double radial_eta;    // [-] stress ratio well below which deviatoric flow is radial
+  double near_axis;     // [-] stress ratio below which the direction of flow is that of the trial stress
   double N;             // [-]
   double chi_tc;        // [-]
   double chi_over_M;    // [-] chi_tc / M_tc

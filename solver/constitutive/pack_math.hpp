@@ -19,7 +19,7 @@ CPT_INLINE Pack log(Pack x) {
   const Bits biased = (bits - sqrt_half + (1024ULL << 52)) >> 52;  // k + 1024
   const Pack k = reinterpret_cast<Pack>(biased | 0x4330000000000000ULL) - (4503599627370496.0 + 1024.0);
   const Pack f = reinterpret_cast<Pack>(bits - ((biased - 1024ULL) << 52)) - 1.0;
-  const Pack s = f / (2.0 + f);
+  const Pack s = f * reciprocal(2.0 + f);
   const Pack z = s * s, w = z * z;
   const Pack odd =
       w * (3.999999999940941908e-01 + w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01));

@@ -39,7 +39,8 @@ CPT_INLINE void store_stress(const Batch& b, decltype(b.size) k, const Trial& t)
 /// directions stay. No order of the principal stresses is assumed but a >= b in the plane.
 CPT_INLINE Trial return_to_tresca(double s_u, const Trial& s) {
   const Pack centre = 0.5 * (s.rr + s.zz), half = 0.5 * (s.rr - s.zz);
-  const Pack radius = sqrt(half * half + s.rz * s.rz);
+  const Pack radius2 = at_least(half * half + s.rz * s.rz, splat(1e-200));
+  const Pack inverse_radius = inverse_sqrt(radius2), radius = radius2 * inverse_radius;
   const Pack a = centre + radius, b = centre - radius, t = s.tt;
   const Mask hoop_largest = less(a, t), hoop_smallest = less(t, b);
   const Pack largest_stress = at_least(a, t), smallest_stress = at_most(b, t);
@@ -53,7 +54,7 @@ CPT_INLINE Trial return_to_tresca(double s_u, const Trial& s) {
   const Pack b_new = select(hoop_smallest, medium, minor);
   const Pack t_new = select(hoop_largest, major, select(hoop_smallest, minor, medium));
   const Pack centre_new = 0.5 * (a_new + b_new);
-  const Pack shrink = 0.5 * (a_new - b_new) / at_least(radius, splat(1e-300));
+  const Pack shrink = 0.5 * (a_new - b_new) * inverse_radius;
   const Mask outside = greater(largest_stress - smallest_stress, splat(2.0 * s_u));
   return {select(outside, centre_new + shrink * half, s.rr),
           select(outside, centre_new - shrink * half, s.zz), select(outside, t_new, s.tt),

@@ -77,7 +77,13 @@ solver::DepthProfile curve(const solver::Setup& setup) {
 }
 
 void misbehave(const std::string& behaviour) {
-  if (behaviour == "segfault") ::raise(SIGSEGV);
+  if (behaviour == "segfault") {
+    ::signal(SIGSEGV, SIG_DFL);  // also under a sanitizer, which would catch it
+    ::raise(SIGSEGV);
+  }
+  if (behaviour == "wait")
+    while (::access(environment("CPT_FAKE_GATE", "").c_str(), F_OK) != 0)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
   if (behaviour == "out_of_memory") ::raise(SIGKILL);
   if (behaviour == "throw") throw std::runtime_error("the fake throws");
   if (behaviour == "exit_3") std::_Exit(3);

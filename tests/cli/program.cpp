@@ -113,6 +113,12 @@ std::vector<pid_t> children_of(pid_t pid) {
   return children;
 }
 
+bool alive(pid_t pid) {
+  const std::string status = read_file("/proc/" + std::to_string(pid) + "/stat");
+  const auto end_of_name = status.rfind(')');
+  return end_of_name != std::string::npos && status.at(end_of_name + 2) != 'Z';
+}
+
 StudyFolder::StudyFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "campaign-test-XXXXXX").string();
   EXPECT_NE(::mkdtemp(name.data()), nullptr);

@@ -44,6 +44,9 @@ class Background {
 /// Child processes of a process, rising.
 [[nodiscard]] std::vector<pid_t> children_of(pid_t pid);
 
+/// True while the process exists and has not ended; one that nobody has waited for has ended too.
+[[nodiscard]] bool alive(pid_t pid);
+
 /// An empty folder of its own with a study of six realizations in it; removed at the end.
 class StudyFolder {
  public:

@@ -31,7 +31,7 @@ TEST_P(EveryProfile, GivesTheSameBitsForAnyNumberOfThreads) {
     setup.layers = {{0.0, 0.03, Soil::sand}, {0.03, 0.06, Soil::clay}, {0.06, 1.0, Soil::sand}};
   const Outcome one = run(setup, 1), two = run(setup, 2), three = run(setup, 3);
   ASSERT_EQ(one.status, Status::completed) << one.reason;
-  EXPECT_GT(one.profile.q_c.size(), 20U);
+  EXPECT_GT(one.profile.q_c.size(), 15U);
   for (const Outcome* other : {&two, &three}) {
     EXPECT_EQ(one.profile.depth, other->profile.depth);
     EXPECT_EQ(one.profile.q_c, other->profile.q_c);
@@ -73,11 +73,12 @@ TEST(Simulate, ImpossibleInputIsAnOutcome) {
   EXPECT_NE(outcome.reason.find("sand.nu"), std::string::npos) << outcome.reason;
 }
 
-TEST(Simulate, AnUnstableStepEndsTheRunWithAReason) {
+TEST(Simulate, ARunawayStateEndsTheRunWithAReason) {
+  // Pushed far faster than the scaled waves travel: the work goes into kinetic energy.
   solver::Setup setup = short_push(Profile::homogeneous_clay);
-  setup.numerics.courant = 0.98;
-  setup.numerics.pic_fraction = 1.0;  // lowers the stability limit
-  setup.penetrometer.final_depth = 0.08;
+  setup.numerics.mass_scaling = 1e6;
+  setup.penetrometer.speed = 0.5;
+  setup.penetrometer.final_depth = 0.3;
   const Outcome outcome = run(setup);
   EXPECT_TRUE(outcome.status == Status::did_not_converge || outcome.status == Status::energy_drift)
       << to_string(outcome.status) << ' ' << outcome.reason;

@@ -52,8 +52,8 @@ TEST(NorSandUpdate, SecondOrderInTheStrainStep) {
 TEST(NorSandUpdate, SubstepToleranceGovernsTheErrorOfLargeSteps) {
   const Specimen exact = sheared(1e-9, 4000);
   double last = std::numeric_limits<double>::infinity();
-  for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
-    const double error = distance(sheared(tolerance, 4), exact) / exact.p();
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const double error = distance(sheared(tolerance, 40), exact) / exact.p();
     EXPECT_LT(error, 0.3 * last);
     EXPECT_LT(error, 30.0 * tolerance);
     last = error;
@@ -171,17 +171,17 @@ TEST(NorSandUpdate, InstructionSetsAgree) {
   for (const ConstitutiveKernels* kernels : others) {
     OwnedBatch batch = batch_of(points, order);
     kernels->update_norsand(law.constants(), batch.view());
-    std::size_t different = 0;  // rounding may change where a sub-step ends, within its tolerance
+    std::size_t different = 0;  // rounding may change where a sub-step ends
     for (std::size_t k = 0; k < n; ++k) {
       const double p = std::abs(reference.field(1)[k]) + Sand{}.p_min;
       for (std::size_t f = 0; f < 6; ++f) {
         const double scale = f == 4 ? 1.0 : p;
         ASSERT_NEAR(batch.field(f)[k], reference.field(f)[k], 0.02 * scale)
             << "field " << f << " point " << k;
-        different += std::abs(batch.field(f)[k] - reference.field(f)[k]) > 1e-9 * scale;
+        different += std::abs(batch.field(f)[k] - reference.field(f)[k]) > 1e-6 * scale;
       }
     }
-    EXPECT_LT(different, n / 100);
+    EXPECT_LT(different, n / 50);
   }
 #endif
 }
@@ -237,29 +237,33 @@ TEST(NorSandUpdate, CarriesNothingBelowSmallestPressureAndStartsAgain) {
   EXPECT_GT(specimen.modulus(), 0.0);
   specimen.strain(1e-5, 1e-5, 1e-5, 3e-4);
   EXPECT_EQ(specimen.stress().rz, 0.0);
-  for (int i = 0; i < 100; ++i) specimen.strain(-2e-5, -3e-5, -2e-5, 1e-5);
+  for (int i = 0; i < 100; ++i) specimen.strain(-1e-5, -4e-5, 0.0, 3e-5);
   const NorSandState state = NorSand(Sand{}).evaluate(specimen.stress(), specimen.e(), specimen.p_i());
-  EXPECT_GT(state.p, 5e3);
+  EXPECT_GT(state.p, 3e3);
   EXPECT_GT(state.q, 0.0);
   EXPECT_LT(state.yield, 1e-6);
 }
 
-TEST(NorSandUpdate, InnerCapBoundsTheStressRatioOfUnloading) {
+// Compressed to some MPa, unloaded to 20 kPa, then sheared at constant volume: without the cap the stress
+// ratio passes 2.
+TEST(NorSandUpdate, InnerCapBoundsTheStressRatioAfterUnloading) {
   const auto largest_ratio = [](double cap_ratio) {
     Sand sand;
     sand.cap_ratio = cap_ratio;
+    const NorSand law(sand);
     Specimen specimen = k0_specimen(sand);
     for (int i = 0; i < 400; ++i) specimen.strain(0.0, -1e-4, 0.0, 0.0);
+    while (specimen.p() > 20e3) specimen.strain(1e-6, 1e-6, 1e-6, 0.0);
     double ratio = 0.0;
-    for (int i = 0; i < 400; ++i) {
-      specimen.strain(0.3e-5, 1e-5, 0.3e-5, 0.0);
-      const NorSandState state = NorSand(sand).evaluate(specimen.stress(), specimen.e(), specimen.p_i());
-      if (state.p > 2e3) ratio = std::max(ratio, state.q / state.p);
+    for (int i = 0; i < 1000; ++i) {
+      specimen.strain(0.5e-6, -1e-6, 0.5e-6, 0.0);
+      const NorSandState state = law.evaluate(specimen.stress(), specimen.e(), specimen.p_i());
+      ratio = std::max(ratio, state.q / state.p);
     }
     return ratio;
   };
-  EXPECT_LT(largest_ratio(1.3), 1.9);
-  EXPECT_GT(largest_ratio(1e6), 2.2);
+  EXPECT_LT(largest_ratio(1.3), 1.95);
+  EXPECT_GT(largest_ratio(1e6), 2.5);
 }
 
 TEST(NorSandUpdate, BadInputIsNeitherHiddenNorEndless) {
