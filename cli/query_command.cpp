@@ -21,7 +21,7 @@ struct Arguments {
 };
 
 std::string what_help() {
-  std::string help = "WHAT is one of\n";
+  std::string help = "\nWHAT is one of\n";
   for (const results::NamedQuery& query : results::named_queries())
     help += fmt::format("  {:<14}{}\n", query.name, query.meaning);
   help +=

@@ -41,7 +41,7 @@ void add_report(CLI::App& program, Action& action) {
   command->add_option("STUDY|DB", arguments->source, "Study file or database")->required();
   command->add_option("--directory", arguments->directory, "Where to [NAME-report beside the study]");
   command->footer(
-      "Works at any time, also while the campaign runs. Prints the files written, index.html first.");
+      "\nWorks at any time, also while the campaign runs. Prints the files written, index.html first.");
   command->callback([arguments, &action] { action = [arguments] { return report(*arguments); }; });
 }
 

@@ -105,10 +105,9 @@ void add_rerun(CLI::App& program, Action& action) {
   command->add_option("ID", arguments->id, "Realization, as campaign query STUDY realizations lists it")
       ->required();
   command->add_option("--threads", arguments->threads, "Threads [all cores]; the bits do not depend on it")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096).description(""));
+      ->check(CLI::Range(1, 4096));
   add_executor_option(*command, arguments->executor);
-  command->footer("The database is not changed. Exit code 0: identical, 4: different.");
+  command->footer("\nThe database is not changed. Exit code 0: identical, 4: different.");
   command->callback([arguments, &action] { action = [arguments] { return rerun(*arguments); }; });
 }
 
