@@ -109,30 +109,41 @@ void add_path(CLI::App& command, const char* name, const char* meaning, solver::
   auto arguments = std::make_shared<Arguments>();
   arguments->path = path;
   CLI::App* sub = command.add_subcommand(name, meaning);
+  const auto number = [sub](const char* option, auto& value, const char* what) {
+    return sub->add_option(option, value, what)->type_name("X");
+  };
   sub->add_option_function<std::string>(
          "--material", [arguments](const std::string& material) { arguments->clay = material == "clay"; },
-         "sand (NorSand) or clay (Tresca)")
-      ->check(CLI::IsMember({"sand", "clay"}))
-      ->default_str("sand");
-  if (path == solver::ElementPath::triaxial)
-    sub->add_flag("--drained,!--undrained", arguments->drained,
-                  "Constant cell pressure [default], or constant volume");
+         "sand (NorSand) [default] or clay (Tresca)")
+      ->type_name("SOIL")
+      ->check(CLI::IsMember({"sand", "clay"}).description(""));
+  if (path == solver::ElementPath::triaxial) {
+    const auto drained = [&](const char* flag, bool is_drained, const char* what) {
+      const auto choose = [arguments, is_drained](std::int64_t) { arguments->drained = is_drained; };
+      return sub->add_flag_function(flag, choose, what);
+    };
+    drained("--drained", true, "Constant cell pressure [default]")
+        ->excludes(drained("--undrained", false, "Constant volume"));
+  }
   sub->add_option("--set", arguments->settings,
-                  "NAME=VALUE, any quantity of the material in its study unit; may be repeated")
+                  "Any quantity of the material, in its study unit; may be repeated")
       ->type_name("NAME=VALUE");
-  sub->add_option("--e0", arguments->e_0, "Initial void ratio [from D_r or the porosity]");
-  sub->add_option("--D_r_percent", arguments->D_r_percent, "Initial relative density of sand");
-  sub->add_option("--p0_kPa", arguments->p_0_kPa, "Initial stress, equal all round [100]");
-  sub->add_option("--sigma_v0_kPa", arguments->sigma_v0_kPa, "Initial axial stress");
-  sub->add_option("--sigma_h0_kPa", arguments->sigma_h0_kPa, "Initial radial stress");
-  sub->add_option("--p_i_kPa", arguments->p_i_kPa, "Initial image pressure of sand [yield surface and OCR]");
-  sub->add_option("--strain_percent", arguments->strain_percent, "Axial strain at the end, natural [25]")
-      ->check(CLI::PositiveNumber);
-  sub->add_option("--max_sigma_v_kPa", arguments->max_sigma_v_kPa, "End where the axial stress passes this");
-  sub->add_option("--steps", arguments->steps, "Rows of the result [250]")->check(CLI::Range(1, 10'000'000));
-  sub->add_option("--csv", arguments->csv, "Write all rows to this file instead of printing some");
+  number("--e0", arguments->e_0, "Initial void ratio [from D_r or the porosity]");
+  number("--D_r_percent", arguments->D_r_percent, "Initial relative density of sand");
+  number("--p0_kPa", arguments->p_0_kPa, "Initial stress, equal all round [100]");
+  number("--sigma_v0_kPa", arguments->sigma_v0_kPa, "Initial axial stress");
+  number("--sigma_h0_kPa", arguments->sigma_h0_kPa, "Initial radial stress");
+  number("--p_i_kPa", arguments->p_i_kPa, "Initial image pressure of sand [yield surface and OCR]");
+  number("--strain_percent", arguments->strain_percent, "Axial strain at the end, natural [25]")
+      ->check(CLI::Range(1.0e-6, 1.0e6).description(""));
+  number("--max_sigma_v_kPa", arguments->max_sigma_v_kPa, "End where the axial stress passes this");
+  sub->add_option("--steps", arguments->steps, "Rows of the result [250]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10'000'000).description(""));
+  sub->add_option("--csv", arguments->csv, "Write all rows to this file instead of printing some")
+      ->type_name("FILE");
   sub->footer(
-      "\nColumns: axial and volumetric strain (natural, compression positive), q, p, void ratio,\n"
+      "Columns: axial and volumetric strain (natural, compression positive), q, p, void ratio,\n"
       "state parameter psi and image pressure p_i (sand).");
   sub->callback([arguments, &action] { action = [arguments] { return element(*arguments); }; });
 }
@@ -149,8 +160,7 @@ void add_element(CLI::App& program, Action& action) {
            action);
   add_path(*command, "isotropic", "Compression with equal strain all round", solver::ElementPath::isotropic,
            action);
-  command->footer(R"(
-Examples:
+  command->footer(R"(Examples:
   campaign element triaxial --D_r_percent 80 --p0_kPa 320 --csv dense.csv
   campaign element triaxial --undrained --material clay --set clay.s_u_kPa=33.5
   campaign element oedometer --sigma_v0_kPa 20 --max_sigma_v_kPa 10000 --set sand.H=75)");

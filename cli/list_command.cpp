@@ -15,6 +15,7 @@
 namespace cpt::cli {
 namespace {
 
+using results::Format;
 using results::Table;
 
 std::string range(const solver::Quantity& quantity) {
@@ -22,18 +23,26 @@ std::string range(const solver::Quantity& quantity) {
   return fmt::format("{}", fmt::join(quantity.choices, ", "));
 }
 
-Table quantities() {
-  const solver::Setup setup =
-      solver::make_setup(solver::Profile::layered_sand_clay, solver::Preset::standard);
-  Table table{{"name", "symbol", "unit", "range", "default", "meaning", "source"}, {}};
-  for (const solver::Quantity& quantity : solver::all_quantities())
-    table.rows.push_back({std::string(quantity.name), std::string(quantity.symbol),
-                          std::string(quantity.unit), range(quantity), quantity.format(quantity.value(setup)),
-                          std::string(quantity.meaning), std::string(quantity.source)});
+Table quantities(Format format) {
+  const solver::Setup setup = solver::make_setup(solver::Profile::homogeneous_sand, solver::Preset::standard);
+  Table table{{"name", "unit", "range", "default", "meaning"}, {}};
+  const bool all = format != Format::table;  // a line of the terminal has no room for everything
+  if (all) table.columns.insert(table.columns.end(), {"symbol", "source"});
+  for (const solver::Quantity& quantity : solver::all_quantities()) {
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(std::string(quantity.name));
+    row.emplace_back(std::string(quantity.unit));
+    row.emplace_back(range(quantity));
+    row.emplace_back(quantity.format(quantity.value(setup)));
+    row.emplace_back(std::string(quantity.meaning));
+    if (!all) continue;
+    row.emplace_back(std::string(quantity.symbol));
+    row.emplace_back(std::string(quantity.source));
+  }
   return table;
 }
 
-Table profiles() {
+Table profiles(Format) {
   Table table{{"profile", "layers"}, {}};
   for (const solver::Profile profile : solver::all_profiles()) {
     std::string layers;
@@ -45,7 +54,7 @@ Table profiles() {
   return table;
 }
 
-Table presets() {
+Table presets(Format) {
   Table table{{"preset", "columns x rows per metre of material points", "elements over the cone's radius"},
               {}};
   for (const solver::Preset preset : solver::all_presets()) {
@@ -58,14 +67,14 @@ Table presets() {
   return table;
 }
 
-Table queries() {
+Table queries(Format) {
   Table table{{"query", "meaning"}, {}};
   for (const results::NamedQuery& query : results::named_queries())
     table.rows.push_back({std::string(query.name), std::string(query.meaning)});
   return table;
 }
 
-Table outcomes() {
+Table outcomes(Format) {
   using solver::Status;
   Table table{{"outcome", "meaning"}, {}};
   const std::pair<Status, const char*> meanings[] = {
@@ -84,10 +93,10 @@ Table outcomes() {
 struct Listing {
   const char* name;
   const char* meaning;
-  Table (*make)();
+  Table (*make)(Format);
 };
 constexpr Listing listings[] = {
-    {"quantities", "everything a study can set or vary: name, unit, valid range, default, source",
+    {"quantities", "everything a study can set or vary; csv and json also give symbol and source",
      quantities},
     {"profiles", "soil profiles a study can start from", profiles},
     {"presets", "resolutions of the model", presets},
@@ -97,12 +106,13 @@ constexpr Listing listings[] = {
 
 struct Arguments {
   std::string what;
-  results::Format format = results::Format::table;
+  Format format = Format::table;
 };
 
 int list(const Arguments& arguments) {
   for (const Listing& listing : listings)
-    if (arguments.what == listing.name) fmt::print("{}", results::format(listing.make(), arguments.format));
+    if (arguments.what == listing.name)
+      fmt::print("{}", results::format(listing.make(arguments.format), arguments.format));
   return all_well;
 }
 
@@ -112,13 +122,17 @@ void add_list(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("list", "Print what there is to choose from");
   std::vector<std::string> names;
-  std::string help = "\nWHAT is one of\n";
+  std::string help = "WHAT is one of\n";
   for (const Listing& listing : listings) {
     names.emplace_back(listing.name);
     help += fmt::format("  {:<14}{}\n", listing.name, listing.meaning);
   }
-  command->add_option("WHAT", arguments->what, "What to list")->required()->check(CLI::IsMember(names));
+  command->add_option("WHAT", arguments->what, "What to list")
+      ->type_name("")
+      ->required()
+      ->check(CLI::IsMember(names).description(""));
   add_format_option(*command, arguments->format);
+  help += "\nDefaults are those of the profile homogeneous_sand at the preset standard.";
   command->footer(help);
   command->callback([arguments, &action] { action = [arguments] { return list(*arguments); }; });
 }

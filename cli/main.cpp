@@ -21,8 +21,7 @@ namespace {
 
 using namespace cpt;
 
-constexpr const char* examples = R"(
-Examples:
+constexpr const char* examples = R"(Examples:
   campaign sens.toml                         run the study, or go on with it, on all cores
   mpirun -np 2 campaign sens.toml            the same with two MPI ranks, also over several machines
   campaign run sens.toml --plan              what would be run

@@ -8,6 +8,7 @@
 
 #include "cli/exit_codes.hpp"
 #include "parameters/designs/one_at_a_time.hpp"
+#include "results/provenance.hpp"
 #include "results/snapshot.hpp"
 #include "results/table_format.hpp"
 #include "solver/simulate.hpp"
@@ -15,12 +16,12 @@
 namespace cpt::cli {
 namespace {
 
-// Status of the realizations that the database holds with the same settings.
-std::map<int, std::string> known_status(const parameters::Study& study) {
-  std::map<int, std::string> status;
+// Status of what the database holds, by settings hash.
+std::map<std::string, std::string> known_status(const parameters::Study& study) {
+  std::map<std::string, std::string> status;
   if (!std::filesystem::exists(study.database)) return status;
   for (const results::RealizationRow& row : results::read_snapshot(study.database).realizations)
-    status[row.id] = row.status;
+    status[row.settings_hash] = row.status;
   return status;
 }
 
@@ -45,7 +46,7 @@ void print_plan(const parameters::Study& study) {
   const auto status = known_status(study);
   results::Table table{{"id", "parameter", "side", "value", "baseline", "unit", "status"}, {}};
   for (const parameters::Realization& realization : parameters::one_at_a_time(study)) {
-    const auto found = status.find(realization.id);
+    const auto found = status.find(results::settings_hash(parameters::make_setup(study, realization)));
     std::string baseline;
     std::string unit;
     if (realization.row >= 0) {

@@ -21,7 +21,7 @@ struct Arguments {
 };
 
 std::string what_help() {
-  std::string help = "\nWHAT is one of\n";
+  std::string help = "WHAT is one of\n";
   for (const results::NamedQuery& query : results::named_queries())
     help += fmt::format("  {:<14}{}\n", query.name, query.meaning);
   help +=
@@ -51,11 +51,14 @@ int query(const Arguments& arguments) {
 void add_query(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("query", "Print results from a campaign's database");
-  command->add_option("STUDY|DB", arguments->source, "Study file or database")->required();
+  command->add_option("STUDY|DB", arguments->source, "Study file or database")->type_name("")->required();
   std::vector<std::string> names{"sql"};
   for (const results::NamedQuery& query : results::named_queries()) names.emplace_back(query.name);
-  command->add_option("WHAT", arguments->what, "What to print")->required()->check(CLI::IsMember(names));
-  command->add_option("SQL", arguments->sql, "Statement, after sql");
+  command->add_option("WHAT", arguments->what, "What to print")
+      ->type_name("")
+      ->required()
+      ->check(CLI::IsMember(names).description(""));
+  command->add_option("SQL", arguments->sql, "Statement, after sql")->type_name("");
   add_format_option(*command, arguments->format);
   command->footer(what_help());
   command->callback([arguments, &action] { action = [arguments] { return query(*arguments); }; });

@@ -38,10 +38,10 @@ void add_report(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand(
       "report", "Write figures and tables: tornado, sensitivity indices, q_c profiles, baseline and windows");
-  command->add_option("STUDY|DB", arguments->source, "Study file or database")->required();
+  command->add_option("STUDY|DB", arguments->source, "Study file or database")->type_name("")->required();
   command->add_option("--directory", arguments->directory, "Where to [NAME-report beside the study]");
   command->footer(
-      "\nWorks at any time, also while the campaign runs. Prints the files written, index.html first.");
+      "Works at any time, also while the campaign runs. Prints the files written, index.html first.");
   command->callback([arguments, &action] { action = [arguments] { return report(*arguments); }; });
 }
 

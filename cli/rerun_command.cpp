@@ -101,13 +101,15 @@ void add_rerun(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand(
       "rerun", "Run one realization again and say whether its curve is bit for bit the stored one");
-  command->add_option("STUDY", arguments->study, "Study file that has been run")->required();
+  command->add_option("STUDY", arguments->study, "Study file that has been run")->type_name("")->required();
   command->add_option("ID", arguments->id, "Realization, as campaign query STUDY realizations lists it")
+      ->type_name("")
       ->required();
   command->add_option("--threads", arguments->threads, "Threads [all cores]; the bits do not depend on it")
-      ->check(CLI::Range(1, 4096));
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096).description(""));
   add_executor_option(*command, arguments->executor);
-  command->footer("\nThe database is not changed. Exit code 0: identical, 4: different.");
+  command->footer("The database is not changed. Exit code 0: identical, 4: different.");
   command->callback([arguments, &action] { action = [arguments] { return rerun(*arguments); }; });
 }
 

@@ -90,34 +90,39 @@ int run(const Arguments& arguments) {
 
 void add_run(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<Arguments>();
+  campaign::RunOptions& options = arguments->options;
   CLI::App* command =
       program.add_subcommand("run", "Run a study, or go on with it: finished realizations are kept");
-  command
-      ->add_option("STUDY", arguments->study,
-                   "Study file (NAME.toml); results go to NAME.sqlite and NAME.h5 beside it")
+  command->add_option("STUDY", arguments->study, "NAME.toml; results go to NAME.sqlite and NAME.h5 beside it")
+      ->type_name("")
       ->required();
   command->add_flag("--validate", arguments->validate, "Check the study, build every model once, and quit");
   command->add_flag("--plan", arguments->plan, "Print the realizations and quit");
+
+  const auto count = CLI::Range(1, 4096).description("");
+  command->add_option("--slots", options.slots, "Cores each rank uses [its share of the machine's]")
+      ->type_name("N")
+      ->check(count);
   command
-      ->add_option("--slots", arguments->options.slots, "Cores each rank uses [its share of the machine's]")
-      ->check(CLI::Range(1, 4096));
+      ->add_option("--threads", options.threads,
+                   "Threads of each realization [1, and more for the last ones]")
+      ->type_name("N")
+      ->check(count);
   command
-      ->add_option("--threads", arguments->options.threads,
-                   "Threads of each realization [1, and more for the last ones]; no result depends on it")
-      ->check(CLI::Range(1, 4096));
+      ->add_option("--hang-limit", options.hang_limit_seconds,
+                   "End a realization that makes no step for so long [300]")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.1, 1.0e6).description(""));
   command
-      ->add_option("--hang-limit", arguments->options.hang_limit_seconds,
-                   "Seconds without a step after which a realization is ended [300]")
-      ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--rank-limit", arguments->options.rank_limit_seconds,
-                   "Seconds of silence after which an MPI rank counts as lost [30]")
-      ->check(CLI::Range(5.0, 1.0e6));
-  command->add_flag("--retry-failed", arguments->options.retry_failed, "Run failed realizations again");
+      ->add_option("--rank-limit", options.rank_limit_seconds,
+                   "Count an MPI rank as lost when silent for so long [30]")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(5.0, 1.0e6).description(""));
+  command->add_flag("--retry-failed", options.retry_failed, "Run failed realizations again");
   command->add_flag("--quiet", arguments->quiet, "No progress, no summary");
   command->add_flag("--no-report", arguments->no_report, "Do not write the report at the end");
   add_executor_option(*command, arguments->executor);
-  command->footer(std::string("\n") + exit_code_help);
+  command->footer(std::string("No result depends on slots, threads or ranks.\n\n") + exit_code_help);
   command->callback([arguments, &action] {
     arguments->options.realization_command = realization_command(arguments->executor);
     action = [arguments] { return run(*arguments); };

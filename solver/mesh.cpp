@@ -10,9 +10,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Smallest even number of rows not higher than `height` each, at least two: rows are joined in pairs.
+// Even number of rows about `height` high, at least two: rows are joined in pairs.
 int even_rows(double extent, double height) {
-  return std::max(2, 2 * static_cast<int>(std::ceil(extent / height / 2.0 - 1e-9)));
+  return std::max(2, 2 * static_cast<int>(std::lround(extent / height / 2.0)));
 }
 
 void append_lines(std::vector<double>& lines, double to, int count) {
@@ -48,9 +48,11 @@ void build_columns(const Setup& setup, MeshLayout& layout) {
   for (std::size_t i = first + 1; i < r.size(); ++i) r[i] = r[first] + (r[i] - r[first]) * scale;
   r.back() = R;
 
-  layout.i_joined = static_cast<std::int32_t>(r.size()) - 1;
-  for (auto i = layout.i_joined; i > layout.i_cone && r[i] >= numerics.coarse_rows_radius - 1e-9; --i)
-    layout.i_joined = i;
+  // The last line within the radius: beyond it fine rows would be lower than the spacing of the points there.
+  layout.i_joined = layout.i_cone;
+  while (layout.i_joined + 1 < static_cast<std::int32_t>(r.size()) &&
+         r[layout.i_joined + 1] <= numerics.coarse_rows_radius + 1e-9)
+    ++layout.i_joined;
 
   const double slope = 1.0 / std::tan(setup.penetrometer.apex / 2.0);
   for (const double radius : r) layout.offset.push_back(std::min(radius - R_cone, 0.0) * slope);

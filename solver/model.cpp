@@ -60,8 +60,10 @@ Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std:
   shapes_.resize(cells);
   modulus_.assign(cells, 0.0);
   work_.assign(cells, 0.0);
+  divergence_.assign(cells, 0.0);
+  viscous_.assign(cells, 0.0);
   filled_at_start_.assign(cells, 0);
-  if (settings_.stress_smoothing > 0.0) mean_stress_.resize(cells);
+  mean_stress_.resize(cells);
   for (auto* field : {&nodes_.inertia, &nodes_.mass, &nodes_.v_r, &nodes_.v_z, &nodes_.dv_r, &nodes_.dv_z,
                       &nodes_.f_r, &nodes_.f_z, &p_r_, &p_z_})
     field->assign(nodes, 0.0);
@@ -174,7 +176,7 @@ void Model::compute_cell_forces(std::int32_t c) {
     } else {
       std::copy_n(cell_mean, 4, stress);
     }
-    if (!mean_stress_.empty()) std::copy_n(stress, 4, mean_stress_[c][q].begin());
+    std::copy_n(stress, 4, mean_stress_[c][q].begin());
 
     const double xi = quadrant_xi[q], eta = quadrant_eta[q];
     const double z_eta = 0.5 * ((s.zt0 - s.zb0) + (s.zt1 - s.zb1) * xi);
@@ -199,7 +201,7 @@ void Model::compute_cell_forces(std::int32_t c) {
     }
   }
 
-  const double p = mean_pressure_volume / cell_volume;
+  double p = mean_pressure_volume / cell_volume;
   double mass = 0.0, weight = 0.0;
   for (int m = 0; m < material_count; ++m) {
     mass += sums.material_mass[m];
@@ -207,6 +209,15 @@ void Model::compute_cell_forces(std::int32_t c) {
   }
   const double density = volume > 0.0 ? mass / volume : 0.0,
                unit_weight = volume > 0.0 ? weight / volume : 0.0;
+  if (volume > 0.0) {
+    // Linear bulk viscosity (Landshoff 1955), as explicit codes have it against the ringing of pressure
+    // waves; it follows the last step's rate of dilatation.
+    const double inertia = density * settings_.mass_scaling, extent = smallest_extent(s);
+    const double wave_speed = std::sqrt(modulus_[c] / inertia), b = settings_.bulk_viscosity;
+    viscous_[c] = b * inertia * wave_speed * extent * divergence_[c];
+    p += viscous_[c];
+    out.time_step = settings_.courant * extent / wave_speed * (std::sqrt(1.0 + b * b) - b);
+  }
   const double fill = settings_.partial_cells ? std::min(1.0, volume / cell_volume) : 1.0;
   for (int k = 0; k < 4; ++k) {
     out.f_r[k] = fill * (out.f_r[k] - p * out.mean_r[k]);
@@ -214,10 +225,6 @@ void Model::compute_cell_forces(std::int32_t c) {
     out.inertia[k] = fill * density * settings_.mass_scaling * integral_N[k];
     out.mean_r[k] /= cell_volume;
     out.mean_z[k] /= cell_volume;
-  }
-  if (volume > 0.0) {
-    const double wave_speed = std::sqrt(modulus_[c] / (density * settings_.mass_scaling));
-    out.time_step = settings_.courant * smallest_extent(s) / wave_speed;
   }
   if (settings_.partial_cells) add_surface_loads(c, out);
 }
@@ -319,6 +326,7 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
   const CellForces& forces = forces_[c];
   int materials = 0;
   for (const double mass : sums.material_mass) materials += mass > 0.0 ? 1 : 0;
+  const double volume = sums.volume[0] + sums.volume[1] + sums.volume[2] + sums.volume[3];
   std::memset(&sums, 0, sizeof(CellSums));
   modulus_[c] = 0.0;
   if (materials == 0) {
@@ -339,12 +347,11 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
   for (int k = 0; k < 4; ++k)
     motion.divergence +=
         forces.mean_r[k] * nodes_.v_r[cell.node[k]] + forces.mean_z[k] * nodes_.v_z[cell.node[k]];
+  divergence_[c] = motion.divergence;
+  work_[c] += viscous_[c] * motion.divergence * dt * volume;
   motion.dt = dt;
   motion.pic_fraction = settings_.pic_fraction;
-  // Across materials the averages would mix their stresses, which is unstable.
-  motion.smoothing = materials == 1 ? settings_.stress_smoothing : 0.0;
-  if (motion.smoothing > 0.0)
-    for (int q = 0; q < 4; ++q) std::copy_n(mean_stress_[c][q].begin(), 4, motion.mean_stress[q]);
+  for (int q = 0; q < 4; ++q) std::copy_n(mean_stress_[c][q].begin(), 4, motion.mean_stress[q]);
 
   const StrainScratch strain = scratch(thread);
   for (std::int32_t m = 0; m < material_count; ++m) {
@@ -353,6 +360,8 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
     if (bucket.count == 0) continue;
     const PointFields p = points_.fields(bucket);
     const std::size_t padded = bucket.padded();
+    // Across materials the averages would mix their stresses, which is unstable.
+    motion.smoothing = materials == 1 ? settings_.stress_smoothing[m] : 0.0;
     double work = kernels_.move_points(bucket.count, padded, p, motion, strain);
     const Batch batch{padded, p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,     p.e,
                       p.p_i,  strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz};

@@ -33,7 +33,9 @@ struct ModelSettings {
   double mass_scaling = 1.0;
   double pic_fraction = 0.0;
   double local_damping = 0.0;
-  double stress_smoothing = 0.0;
+  double bulk_viscosity = 0.0;
+  double stress_smoothing[material_count] =
+      {};  // [-] share of the quadrant's average given back to the points
   double weight_ratio[material_count] = {1.0, 1.0, 1.0};  // [-] effective over total unit weight
   double gravity = 9.81;                                  // [m/s2]
   bool partial_cells =
@@ -113,7 +115,9 @@ class Model {
   std::vector<CellShape> shapes_;
   std::vector<double> modulus_;                                    // [Pa] largest P-wave modulus in a cell
   std::vector<double> work_;                                       // [J/rad] by cell
-  std::vector<std::array<std::array<double, 4>, 4>> mean_stress_;  // only with stress smoothing
+  std::vector<double> divergence_;                                 // [1/s] mean of a cell in the last step
+  std::vector<double> viscous_;                                    // [Pa] pressure of the bulk viscosity
+  std::vector<std::array<std::array<double, 4>, 4>> mean_stress_;  // [Pa] by cell and quadrant
   std::vector<char> filled_at_start_;
   Nodes nodes_;
   std::vector<double> p_r_, p_z_;  // [kg m/s/rad] nodal momentum of the points

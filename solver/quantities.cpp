@@ -264,9 +264,15 @@ std::vector<Quantity> numerics_quantities() {
                                              "share of PIC in the velocity update; 0 is FLIP", numerical),
       number<group, &Numerics::local_damping>("numerics.local_damping", "α_damp", none, 0.0, 0.9, any_soil,
                                               "local damping over the out-of-balance force", numerical),
-      number<group, &Numerics::stress_smoothing>(
-          "numerics.stress_smoothing", "β", none, 0.0, 1.0, any_soil,
-          "share of the quadrant's average stress given back to its points", numerical),
+      number<group, &Numerics::bulk_viscosity>("numerics.bulk_viscosity", "b_1", none, 0.0, 1.0, any_soil,
+                                               "linear bulk viscosity; damps pressure waves", numerical),
+      number<group, &Numerics::stress_smoothing_clay>(
+          "numerics.stress_smoothing_clay", "β_clay", none, 0.0, 1.0, any_soil,
+          "share of the quadrant's average stress given back to its points, clay and surcharge layer",
+          numerical),
+      number<group, &Numerics::stress_smoothing_sand>(
+          "numerics.stress_smoothing_sand", "β_sand", none, 0.0, 1.0, Soil::sand,
+          "share of the quadrant's average stress given back to its points, sand", numerical),
       number<group, &Numerics::bin_height>("numerics.bin_height_m", "Δz_bin", metres, 1.0e-5, 0.05, any_soil,
                                            "depth over which q_c and f_s are averaged in the recording",
                                            numerical),

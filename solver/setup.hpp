@@ -96,7 +96,7 @@ struct PointZone {
 
 struct Numerics {
   int face_elements = 2;             // [-] elements over the cone radius
-  double near_height = 0.0063;       // [m] cell height around the tip
+  double near_height = 0.006325;     // [m] cell height around the tip
   double near_width_radius = 0.06;   // [m] columns keep about the near width up to here, then widen
   double far_width = 0.025;          // [m] column width at the wall
   double coarse_rows_radius = 0.12;  // [m] beyond this radius rows are joined two by two
@@ -105,13 +105,18 @@ struct Numerics {
   double below_height = 0.030;       // [m] height of the rows of the compressing zone at the start
   double above_height = 0.0125;      // [m] height of the rows of the stretching zone at the start
   std::vector<PointZone> zones = {{0.06, 70, 325.0}, {0.12, 25, 200.0}, {0.24, 35, 150.0}, {0.45, 20, 125.0}};
-  double point_shift = 0.0;       // [-] shift of the point grid, fraction of the spacing, in [-0.5, 0.5]
-  double courant = 0.95;           // [-]
-  double mass_scaling = 1.0e4;    // [-] on inertia only
-  double pic_fraction = 0.0;      // [-] 0 = FLIP, 1 = PIC
-  double local_damping = 0.0;     // [-] fraction of the out-of-balance force
-  double stress_smoothing = 1.0;  // [-] share of the quadrant's average given back to its points each step
-  double bin_height = 0.0005;     // [m] depth bin over which q_c and f_s are averaged
+  double point_shift = 0.0;     // [-] shift of the point grid, fraction of the spacing, in [-0.5, 0.5]
+  double courant = 0.95;        // [-]
+  double mass_scaling = 1.0e4;  // [-] on inertia only
+  double pic_fraction = 0.0;    // [-] 0 = FLIP, 1 = PIC
+  double local_damping = 0.0;   // [-] fraction of the out-of-balance force
+  double bulk_viscosity =
+      0.0;  // [-] b: linear bulk viscosity, a pressure of b rho c h times the rate of dilatation
+  // Share of the quadrant's average stress given back to its points each step [-]. Not in sand: NorSand's
+  // points would leave their own yield surface every step.
+  double stress_smoothing_clay = 1.0;  // also of the surcharge layer
+  double stress_smoothing_sand = 0.0;
+  double bin_height = 0.0005;  // [m] depth bin over which q_c and f_s are averaged
 };
 
 struct Setup {

@@ -40,7 +40,10 @@ ModelSettings make_settings(const Setup& setup, int threads) {
   s.mass_scaling = setup.numerics.mass_scaling;
   s.pic_fraction = setup.numerics.pic_fraction;
   s.local_damping = setup.numerics.local_damping;
-  s.stress_smoothing = setup.numerics.stress_smoothing;
+  s.bulk_viscosity = setup.numerics.bulk_viscosity;
+  s.stress_smoothing[static_cast<int>(Material::sand)] = setup.numerics.stress_smoothing_sand;
+  s.stress_smoothing[static_cast<int>(Material::clay)] = setup.numerics.stress_smoothing_clay;
+  s.stress_smoothing[static_cast<int>(Material::surcharge)] = setup.numerics.stress_smoothing_clay;
   s.weight_ratio[static_cast<int>(Material::sand)] = bulk(setup, Soil::sand).weight_ratio;
   s.weight_ratio[static_cast<int>(Material::clay)] = bulk(setup, Soil::clay).weight_ratio;
   s.gravity = gravity;
@@ -152,7 +155,7 @@ std::string_view to_string(Status status) {
   return "unknown";
 }
 
-std::string_view solver_version() { return "0.1"; }
+std::string_view solver_version() { return "0.2"; }
 
 Outcome simulate(const Setup& setup, Observer& observer, const Execution& execution) {
   const std::vector<Problem> found = problems(setup);

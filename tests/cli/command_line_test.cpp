@@ -99,7 +99,8 @@ TEST(CommandLine, UnusableDatabaseIsExitCode6) {
 
 TEST(CommandLine, ListsQuantitiesInThreeFormats) {
   expect_has(run(campaign({"list", "quantities"})).out, "clay.s_u_kPa");
-  expect_has(run(campaign({"list", "quantities", "--format", "csv"})).out, "name,symbol,unit");
+  expect_has(run(campaign({"list", "quantities", "--format", "csv"})).out,
+             "name,unit,range,default,meaning,symbol,source");
   expect_has(run(campaign({"list", "quantities", "--format", "json"})).out, "\"clay.s_u_kPa\"");
   for (const char* what : {"profiles", "presets", "queries", "outcomes"})
     EXPECT_EQ(run(campaign({"list", what})).exit_code, 0) << what;

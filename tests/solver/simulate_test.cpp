@@ -47,7 +47,9 @@ TEST_P(EveryProfile, ConservesMassAndBalancesMomentum) {
   const Outcome outcome = run(setup, 2);
   ASSERT_EQ(outcome.status, Status::completed) << outcome.reason;
   EXPECT_LT(outcome.audit.mass_error, 1e-12);
-  EXPECT_LT(outcome.audit.momentum_error, 0.1);
+  // Of the cone's impulse, itself under one per cent of the weight's that it is measured against.
+  EXPECT_LT(outcome.audit.momentum_error, 0.2);
+  EXPECT_LT(std::abs(outcome.audit.energy_error), 0.06);
   EXPECT_EQ(outcome.audit.max_empty_cells, 0);
 }
 
