@@ -49,4 +49,3 @@ void push(benchmark::State& state, Profile profile, Preset preset) {
 }();
 
 }  // namespace
-

@@ -78,7 +78,7 @@ InitialState initial_state(const Setup& setup, const NorSand* sand) {
   const double top = layer ? setup.chamber.surcharge_height : 0.0, bottom = -setup.chamber.soil_height;
   const double shift = setup.numerics.point_shift;
 
-  std::uint32_t id = 0;
+  double id = 0.0;
   double inner = 0.0;
   for (const PointZone& zone : zones_to_wall(setup)) {
     const int rows = static_cast<int>(std::lround((top - bottom) * zone.rows_per_metre));
@@ -101,8 +101,7 @@ InitialState initial_state(const Setup& setup, const NorSand* sand) {
                                ? sand->initial_image_pressure(-sigma_h, -sigma_v, -sigma_h, 0.0, b.e)
                                : 0.0;
         state.points.push_back({{r, z, 0.0, 0.0, -sigma_h, -sigma_v, -sigma_h, 0.0, rho * volume, volume, b.e,
-                                 p_i, 0.0, 0.0, loaded ? setup.initial.sigma_v0 * r * dr : 0.0},
-                                id});
+                                 p_i, 0.0, 0.0, loaded ? setup.initial.sigma_v0 * r * dr : 0.0, id}});
         const Material material = in_surcharge         ? Material::surcharge
                                   : soil == Soil::sand ? Material::sand
                                                        : Material::clay;

@@ -1,8 +1,9 @@
 // The material points, in structure-of-arrays form, kept sorted by cell and soil.
 //
-// Points of one cell and one soil form a bucket: contiguous slots, a multiple of eight long, aligned to a
-// vector register, the unused tail holding massless dummies. So every kernel runs without gather, scatter,
-// masks or atomics, and sums over a bucket have one fixed order whatever the number of threads.
+// Points of one cell and one soil form a bucket: a block of its own, field after field, a multiple of eight
+// slots each, aligned to a vector register, the unused tail holding massless dummies. So every kernel runs
+// without gather, scatter, masks or atomics, one bucket lies in a few pages, and sums over it have one fixed
+// order whatever the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ namespace cpt::solver {
 enum class Material : std::uint8_t { sand, clay, surcharge };
 inline constexpr std::int32_t material_count = 3;
 
-/// Pointers to the first slot of a bucket in each field.
+/// Pointers to a bucket's first slot in each field.
 struct PointFields {
   double* r;     // [m] position
   double* z;     // [m]
@@ -35,11 +36,12 @@ struct PointFields {
   double* xi;      // [-] natural coordinates in the cell
   double* eta;
   double* load;  // [N/rad] share of a traction at the soil's top, downward
+  double* id;    // whole number that follows the point for ever
 };
 inline constexpr std::int32_t field_count = sizeof(PointFields) / sizeof(double*);
 
 struct Bucket {
-  std::size_t begin = 0;      // first slot, a multiple of 8
+  double* data = nullptr;     // field f begins at data + f * capacity
   std::int32_t count = 0;     // points
   std::int32_t capacity = 0;  // slots, a multiple of 8
   [[nodiscard]] std::size_t padded() const { return static_cast<std::size_t>((count + 7) / 8 * 8); }
@@ -48,7 +50,6 @@ struct Bucket {
 /// One point, to be put into a bucket.
 struct Point {
   double field[field_count];
-  std::uint32_t id;
 };
 
 class MaterialPoints {
@@ -60,29 +61,27 @@ class MaterialPoints {
   [[nodiscard]] const Bucket& bucket(std::int32_t index) const { return buckets_[index]; }
   [[nodiscard]] std::int32_t bucket_count() const { return static_cast<std::int32_t>(buckets_.size()); }
   [[nodiscard]] PointFields fields(const Bucket& bucket) const;
-  [[nodiscard]] std::uint32_t id(std::size_t slot) const { return ids_[slot]; }
   [[nodiscard]] std::int64_t size() const { return size_; }
-  [[nodiscard]] std::size_t slots() const { return slots_; }
+  [[nodiscard]] std::int32_t largest_capacity() const { return largest_capacity_; }
 
-  /// Moves a point to the end of another bucket; the source's last point takes its slot. Allocates only when
-  /// the target is full, which is rare.
+  /// Moves a point to the end of another bucket; the source's last point takes its slot. A full bucket moves
+  /// to a larger block; blocks are used again, so memory is taken from the system only now and then.
   void move(std::int32_t from, std::int32_t slot_in_bucket, std::int32_t to);
 
  private:
-  void allocate(const std::vector<std::int32_t>& counts);
-  void grow(std::int32_t full_bucket);
-  void make_dummy(std::size_t slot);
-  [[nodiscard]] double* field(std::int32_t f) const {
-    return data_.get() + static_cast<std::size_t>(f) * slots_;
-  }
+  [[nodiscard]] double* take_block(std::int32_t capacity);
+  void return_block(const Bucket& bucket);
+  void grow(Bucket& bucket);
 
   struct Free {
     void operator()(double* p) const;
   };
-  std::unique_ptr<double[], Free> data_;
-  std::vector<std::uint32_t> ids_;
+  std::vector<std::unique_ptr<double[], Free>> arenas_;
+  std::size_t arena_left_ = 0;  // doubles
+  double* arena_next_ = nullptr;
+  std::vector<std::vector<double*>> free_blocks_;  // by capacity / 8
   std::vector<Bucket> buckets_;
-  std::size_t slots_ = 0;
+  std::int32_t largest_capacity_ = 0;
   std::int64_t size_ = 0;
 };
 

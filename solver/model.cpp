@@ -70,6 +70,7 @@ Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std:
   leavers_.resize(static_cast<std::size_t>(settings_.threads));
   for (auto& list : leavers_) list.reserve(4096);
   split_cells();
+  make_scratch();
   sum_all_points();
 }
 
@@ -80,25 +81,26 @@ StrainScratch Model::scratch(int thread) {
           base + 4 * scratch_stride_};
 }
 
-// Shares the cells out to threads by their number of points, and makes room for the largest bucket.
+// Shares the cells out to threads by their number of points.
 void Model::split_cells() {
   const auto cells = static_cast<std::int32_t>(mesh_.cells().size());
   split_.assign(static_cast<std::size_t>(settings_.threads) + 1, cells);
   split_[0] = 0;
   std::int64_t seen = 0;
-  std::size_t next = 1, largest = 0;
+  std::size_t next = 1;
   for (std::int32_t b = 0; b < points_.bucket_count(); ++b) {
     seen += points_.bucket(b).count;
-    largest = std::max(largest, static_cast<std::size_t>(points_.bucket(b).capacity));
     while (next < split_.size() - 1 &&
            seen * settings_.threads >= points_.size() * static_cast<std::int64_t>(next))
       split_[next++] = b / material_count + 1;
   }
-  const std::size_t stride = (largest + 64 + 7) / 8 * 8;
-  if (stride > scratch_stride_) {
-    scratch_stride_ = stride;
-    scratch_.assign(static_cast<std::size_t>(settings_.threads) * 5 * scratch_stride_ + 64, 0.0);
-  }
+}
+
+// Room for the strains of the largest bucket, and more for its growth.
+void Model::make_scratch() {
+  if (static_cast<std::size_t>(points_.largest_capacity()) <= scratch_stride_) return;
+  scratch_stride_ = static_cast<std::size_t>(points_.largest_capacity()) + 64;
+  scratch_.assign(static_cast<std::size_t>(settings_.threads) * 5 * scratch_stride_ + 64, 0.0);
 }
 
 // Start: natural coordinates, sums and stiffness, without moving anything.
@@ -379,7 +381,6 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
 
 // Points that left their cell find their new one, in the order of cells: the same for any number of threads.
 void Model::rehome_leavers() {
-  bool grew = false;
   for (const auto& list : leavers_)
     for (const Leaver& leaver : list) {
       const PointFields p = points_.fields(points_.bucket(leaver.bucket));
@@ -391,16 +392,14 @@ void Model::rehome_leavers() {
       std::int32_t k = leaver.slot;
       const double modulus = modulus_[leaver.bucket / material_count];
       if (to != leaver.bucket) {
-        const std::size_t slots = points_.slots();
         points_.move(leaver.bucket, leaver.slot, to);
-        grew |= slots != points_.slots();
         k = points_.bucket(to).count - 1;
       }
       add_to_sums(sums_[at.cell], points_.fields(points_.bucket(to)), static_cast<std::size_t>(k),
                   static_cast<Material>(material));
       modulus_[at.cell] = std::max(modulus_[at.cell], modulus);
     }
-  if (grew) split_cells();
+  make_scratch();
 }
 
 int Model::empty_cells() const {

@@ -102,6 +102,7 @@ class Model {
   void sum_all_points();
   void rehome_leavers();
   void split_cells();
+  void make_scratch();
   [[nodiscard]] StrainScratch scratch(int thread);
 
   Mesh mesh_;

@@ -155,7 +155,7 @@ std::string_view to_string(Status status) {
   return "unknown";
 }
 
-std::string_view solver_version() { return "0.2"; }
+std::string_view solver_version() { return "0.3"; }
 
 Outcome simulate(const Setup& setup, Observer& observer, const Execution& execution) {
   const std::vector<Problem> found = problems(setup);

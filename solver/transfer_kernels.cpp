@@ -32,20 +32,24 @@ double move_points(std::int32_t count, std::size_t padded, const PointFields& po
   const double *R = motion.v_r.c, *Z = motion.v_z.c, *dR = motion.dv_r.c, *dZ = motion.dv_z.c;
   const double r_first = shape.r_c - shape.a, r_last = shape.r_c + shape.a;
 
-  // Averages go back to the points (only where the caller says so).
+  // Averages go back to the points (only where the caller says so): stress += beta (mean of its quadrant -
+  // stress).
   if (motion.smoothing > 0.0) {
     const double beta = motion.smoothing;
-    const double(*mean)[4] = motion.mean_stress;
+    double c[4][4];  // mean = c0 + c1 right + c2 upper + c3 right upper, without branches
+    for (int i = 0; i < 4; ++i) {
+      const double m0 = motion.mean_stress[0][i], m1 = motion.mean_stress[1][i],
+                   m2 = motion.mean_stress[2][i], m3 = motion.mean_stress[3][i];
+      c[i][0] = m0, c[i][1] = m1 - m0, c[i][2] = m2 - m0, c[i][3] = (m3 - m2) - (m1 - m0);
+    }
 #pragma omp simd
     for (std::size_t k = 0; k < padded; ++k) {
-      const bool right = xi[k] > 0.0, upper = eta[k] > 0.0;
-      const auto pick = [&](int i) {
-        return select(upper, select(right, mean[3][i], mean[2][i]), select(right, mean[1][i], mean[0][i]));
-      };
-      s_rr[k] += beta * (pick(0) - s_rr[k]);
-      s_zz[k] += beta * (pick(1) - s_zz[k]);
-      s_tt[k] += beta * (pick(2) - s_tt[k]);
-      s_rz[k] += beta * (pick(3) - s_rz[k]);
+      const double right = select(xi[k] > 0.0, 1.0, 0.0), upper = select(eta[k] > 0.0, 1.0, 0.0);
+      const double both = right * upper;
+      s_rr[k] += beta * (c[0][0] + c[0][1] * right + c[0][2] * upper + c[0][3] * both - s_rr[k]);
+      s_zz[k] += beta * (c[1][0] + c[1][1] * right + c[1][2] * upper + c[1][3] * both - s_zz[k]);
+      s_tt[k] += beta * (c[2][0] + c[2][1] * right + c[2][2] * upper + c[2][3] * both - s_tt[k]);
+      s_rz[k] += beta * (c[3][0] + c[3][1] * right + c[3][2] * upper + c[3][3] * both - s_rz[k]);
     }
   }
 

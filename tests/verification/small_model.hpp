@@ -47,7 +47,7 @@ inline std::vector<Point> fill(
         p.field[9] = volume;
         p.field[10] = 0.7;
         p.field[11] = 1e4;
-        p.id = static_cast<std::uint32_t>(points.size());
+        p.field[15] = static_cast<double>(points.size());
         set(p);
         points.push_back(p);
       }
