@@ -137,7 +137,8 @@ void add_path(CLI::App& command, const char* name, const char* meaning, solver::
   number("--strain_percent", arguments->strain_percent, "Axial strain at the end, natural [25]")
       ->check(CLI::Range(1.0e-6, 1.0e6).description(""));
   number("--max_sigma_v_kPa", arguments->max_sigma_v_kPa, "End where the axial stress passes this");
-  sub->add_option("--steps", arguments->steps, "Rows of the result [250]")
+  sub->add_option("--steps", arguments->steps,
+                  "Rows of the result [250]; each is integrated in small increments")
       ->type_name("N")
       ->check(CLI::Range(1, 10'000'000).description(""));
   sub->add_option("--csv", arguments->csv, "Write all rows to this file instead of printing some")

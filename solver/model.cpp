@@ -13,6 +13,8 @@ constexpr double quadrant_eta[4] = {-gauss, -gauss, gauss, gauss};
 constexpr double corner_xi[4] = {-1.0, 1.0, 1.0, -1.0};
 constexpr double corner_eta[4] = {-1.0, -1.0, 1.0, 1.0};
 
+constexpr std::int64_t steps_between_splits = 500;
+
 template <typename Function>
 void for_each_index(std::int32_t count, int threads, const Function& function) {
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
@@ -321,6 +323,7 @@ void Model::move_points(double dt) {
     }
   }
   rehome_leavers();
+  if (settings_.threads > 1 && ++steps_ % steps_between_splits == 0) split_cells();
 }
 
 void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, const CellShape& new_shape) {
@@ -365,6 +368,8 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
     // Across materials the averages would mix their stresses, which is unstable.
     motion.smoothing = materials == 1 ? settings_.stress_smoothing[m] : 0.0;
     double work = kernels_.move_points(bucket.count, padded, p, motion, strain);
+    // The next cell's points arrive while the law computes.
+    if (b + material_count < points_.bucket_count()) points_.prefetch(points_.bucket(b + material_count));
     const Batch batch{padded, p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,     p.e,
                       p.p_i,  strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz};
     modulus_[c] = std::max(modulus_[c], laws_.update(static_cast<Material>(m), batch));

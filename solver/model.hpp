@@ -123,6 +123,7 @@ class Model {
   Nodes nodes_;
   std::vector<double> p_r_, p_z_;  // [kg m/s/rad] nodal momentum of the points
   double time_step_ = 0.0;
+  std::int64_t steps_ = 0;
 
   std::vector<std::int32_t> split_;  // first cell of each thread
   std::vector<std::vector<Leaver>> leavers_;

@@ -110,11 +110,13 @@ ElementResult run_element_test(const ElementTest& test) {
     return result;
   }
   Prepared prepared = prepare(test);
-  const double axial = test.max_axial_strain / test.steps;
+  const double axial_row = test.max_axial_strain / test.steps;
+  const int increments = static_cast<int>(std::ceil(axial_row / test.max_increment - 1e-9));
+  const double axial = axial_row / increments;
   double eps_a = 0.0, eps_v = 0.0;
   double radial = -0.3 * axial;
   result.rows.push_back(row(prepared, eps_a, eps_v));
-  for (int i = 0; i < test.steps && axial_stress(prepared.specimen) < test.max_axial_stress; ++i) {
+  for (int i = 1; i <= test.steps * increments; ++i) {
     switch (test.path) {
       case ElementPath::oedometer:
         radial = 0.0;
@@ -137,11 +139,13 @@ ElementResult run_element_test(const ElementTest& test) {
     prepared.specimen = strained(prepared.specimen, axial, radial);
     eps_a += axial;
     eps_v += axial + 2.0 * radial;
+    if (i % increments != 0) continue;
     result.rows.push_back(row(prepared, eps_a, eps_v));
     if (!std::isfinite(result.rows.back().q + result.rows.back().p)) {
       result.problem = "the stress became non-finite";
       return result;
     }
+    if (axial_stress(prepared.specimen) >= test.max_axial_stress) break;
   }
   return result;
 }

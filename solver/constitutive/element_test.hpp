@@ -34,7 +34,8 @@ struct ElementTest {
   double max_axial_strain = 0.25;                // [-] > 0
   double max_axial_stress =
       std::numeric_limits<double>::infinity();  // [Pa] the first row beyond it is the last
-  int steps = 250;                              // [-] equal steps of axial strain, >= 1
+  int steps = 250;                              // [-] rows of the result, equal steps of axial strain, >= 1
+  double max_increment = 2.5e-4;  // [-] axial strain of one increment at most: a row takes several
 };
 
 /// One row of the result; psi, p_i and psi_i are NaN but for sand.

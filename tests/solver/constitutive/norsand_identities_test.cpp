@@ -59,6 +59,21 @@ TEST(NorSandIdentities, PeakStressRatio) {
   }
 }
 
+TEST(NorSandIdentities, NumberOfRowsIsNoMatterOfAccuracy) {
+  for (const bool is_drained : {true, false}) {
+    ElementTest test = drained(0.80, 320e3, 25.0);
+    test.drained = is_drained;
+    test.max_axial_strain = 0.30;
+    test.steps = 6;
+    const ElementResult few = run_element_test(test);
+    test.steps = 1200;
+    const ElementResult many = run_element_test(test);
+    ASSERT_EQ(few.rows.size(), 7U);
+    EXPECT_NEAR(few.rows.back().q, many.rows.back().q, 1e-6 * many.rows.back().q);
+    EXPECT_NEAR(few.rows.back().e, many.rows.back().e, 1e-7);
+  }
+}
+
 TEST(NorSandIdentities, UndrainedStrength) {
   ElementTest test = drained(0.80, 320e3, 25.0);
   test.drained = false;
