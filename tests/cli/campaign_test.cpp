@@ -105,13 +105,13 @@ TEST(Campaign, BothRanksWork) {
 
 TEST(Campaign, FailuresAreOnRecordAndTheOthersGoOn) {
   const StudyFolder folder;
-  const Result result = run(mpirun(2, arguments(folder.study(), {"--hang-limit", "0.5"})),
+  const Result result = run(mpirun(2, arguments(folder.study(), {"--hang-limit", "5"})),
                             {"CPT_FAKE=sand.H=75:segfault;sand.nu=0.1:hang;sand.nu=0.3:garbage"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_NE(result.out.find("3 of 6 realizations completed, 3 failed"), std::string::npos) << result.out;
   const std::string failures = run(campaign({"query", folder.study(), "failures", "--format", "csv"})).out;
   for (const char* part : {"crashed,killed by signal 11 (Segmentation fault)",
-                           "time_limit,\"hung: no step for 0.5 s", "crashed,sent an unreadable answer"})
+                           "time_limit,\"hung: no step for 5 s", "crashed,sent an unreadable answer"})
     EXPECT_NE(failures.find(part), std::string::npos) << failures;
 }
 
