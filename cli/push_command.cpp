@@ -224,7 +224,7 @@ void add_push(CLI::App& program, Action& action) {
   command
       ->add_option("--fields-at", arguments->fields_at,
                    "Depths of the tip at which to write the fields; 0 is the start")
-      ->type_name("M,M,...");
+      ->type_name("M,M");
   command
       ->add_option("--track", arguments->track,
                    "Follow the material point that starts nearest to this radius and depth")
@@ -249,7 +249,7 @@ void add_push(CLI::App& program, Action& action) {
   NAME-histories.h5      material points and wall stresses over the push
   NAME-profile.csv       q_c and f_s over depth
   NAME-radial.csv        void ratio and its change by radius, at the end
-NAME is the study's, with -ID unless that is the baseline. Options marked [...] may be given several values.
+NAME is the study's, with -ID unless that is the baseline. Options with ... take several values.
 
 Examples:
   campaign push sens.toml --fields-at 0,0.2,0.4,0.53 --out fields
