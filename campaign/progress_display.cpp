@@ -55,12 +55,11 @@ void ProgressDisplay::note(std::string_view line) {
   std::fflush(out_);
 }
 
-void ProgressDisplay::update(const Standing& standing, double now) {
+void ProgressDisplay::update(std::string line, double now) {
   if (style_ == Style::silent) return;
   const double interval = style_ == Style::terminal ? terminal_interval : plain_interval;
   if (last_update_ && now < *last_update_ + interval) return;
   last_update_ = now;
-  std::string line = progress_line(standing);
   if (style_ == Style::plain) {
     fmt::print(out_, "{}\n", line);
   } else {

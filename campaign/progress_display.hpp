@@ -35,7 +35,9 @@ class ProgressDisplay {
 
   /// A line that stays.
   void note(std::string_view line);
-  void update(const Standing& standing, double now);
+  /// The line that changes; `now` [s] of any clock. More frequent calls are passed over.
+  void update(std::string line, double now);
+  void update(const Standing& standing, double now) { update(progress_line(standing), now); }
   /// Ends the updating line.
   void finish();
 

@@ -15,6 +15,7 @@ using Action = std::function<int()>;
 /// Each adds its subcommand to `program` and, when that is parsed, sets `action`.
 void add_run(CLI::App& program, Action& action);
 void add_rerun(CLI::App& program, Action& action);
+void add_push(CLI::App& program, Action& action);
 void add_query(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_element(CLI::App& program, Action& action);

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -11,7 +10,6 @@
 #include "cli/exit_codes.hpp"
 #include "cli/set_quantity.hpp"
 #include "cli/study_argument.hpp"
-#include "results/error.hpp"
 #include "results/table_format.hpp"
 #include "solver/constitutive/element_test.hpp"
 #include "solver/presets.hpp"
@@ -84,17 +82,10 @@ results::Table make_table(const std::vector<solver::ElementRow>& rows, std::size
   return table;
 }
 
-void write_csv(const std::filesystem::path& file, const results::Table& table) {
-  std::ofstream stream(file);
-  stream << results::format(table, results::Format::csv);
-  stream.close();
-  if (!stream) throw results::Error(fmt::format("cannot write {}", file.string()));
-}
-
 int element(const Arguments& arguments) {
   const solver::ElementResult result = solver::run_element_test(make_test(arguments));
   if (!arguments.csv.empty() && !result.rows.empty()) {
-    write_csv(arguments.csv, make_table(result.rows, 1));
+    results::write_csv(arguments.csv, make_table(result.rows, 1));
     fmt::print("{} rows: {}\n", result.rows.size(), arguments.csv.string());
   } else if (!result.rows.empty()) {
     const std::size_t stride = std::max<std::size_t>(1, (result.rows.size() - 1) / 25);

@@ -13,7 +13,6 @@
 #include "cli/exit_codes.hpp"
 #include "cli/realization_command.hpp"
 #include "cli/study_argument.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
 #include "results/provenance.hpp"
 #include "results/snapshot.hpp"
 
@@ -26,14 +25,6 @@ struct Arguments {
   int threads = 0;
   std::string executor;
 };
-
-parameters::Realization find_realization(const parameters::Study& study, int id) {
-  const auto realizations = parameters::one_at_a_time(study);
-  for (const parameters::Realization& realization : realizations)
-    if (realization.id == id) return realization;
-  throw BadInput(
-      fmt::format("{} has no realization {}; it has 1 to {}", study.name, id, realizations.size()));
-}
 
 results::StoredRun find_stored(const parameters::Study& study, const solver::Setup& setup, int id) {
   auto stored = results::read_run(study.database, id);

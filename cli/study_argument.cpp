@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/read_study.hpp"
 
 namespace cpt::cli {
@@ -19,6 +20,14 @@ StudyFile read_study_file(const std::filesystem::path& file) {
   if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
     throw BadInput(parameters::format(*errors));
   return {std::get<parameters::Study>(std::move(parsed)), std::move(text)};
+}
+
+parameters::Realization find_realization(const parameters::Study& study, int id) {
+  const auto realizations = parameters::one_at_a_time(study);
+  for (const parameters::Realization& realization : realizations)
+    if (realization.id == id) return realization;
+  throw BadInput(
+      fmt::format("{} has no realization {}; it has 1 to {}", study.name, id, realizations.size()));
 }
 
 std::filesystem::path database_of(const std::filesystem::path& study_or_database) {

@@ -1,10 +1,11 @@
-// The STUDY and STUDY|DB arguments that most commands take.
+// The STUDY, STUDY|DB and ID arguments that most commands take.
 #pragma once
 
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
+#include "parameters/realization.hpp"
 #include "parameters/study.hpp"
 
 namespace cpt::cli {
@@ -22,6 +23,9 @@ struct StudyFile {
 
 /// Throws BadInput with all of the study's errors.
 [[nodiscard]] StudyFile read_study_file(const std::filesystem::path& file);
+
+/// Realization of the study by its id; throws BadInput if there is none.
+[[nodiscard]] parameters::Realization find_realization(const parameters::Study& study, int id);
 
 /// A campaign's database, found from the study (NAME.toml) or given itself.
 [[nodiscard]] std::filesystem::path database_of(const std::filesystem::path& study_or_database);

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "results/error.hpp"
 
 namespace cpt::results {
 namespace {
@@ -127,6 +130,13 @@ std::string format(const Table& table, Format format) {
       break;
   }
   return as_table(table);
+}
+
+void write_csv(const std::filesystem::path& file, const Table& table) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << as_csv(table);
+  stream.close();
+  if (!stream) throw Error(fmt::format("{}: cannot be written", file.string()));
 }
 
 }  // namespace cpt::results

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,5 +26,8 @@ enum class Format { table, csv, json };
 /// array of objects, one a row. csv and json give numbers so that they read back to the same double. Ends
 /// with a newline.
 [[nodiscard]] std::string format(const Table& table, Format format);
+
+/// Writes the table as a csv file; throws Error if that fails.
+void write_csv(const std::filesystem::path& file, const Table& table);
 
 }  // namespace cpt::results

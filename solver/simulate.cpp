@@ -82,7 +82,13 @@ Outcome push(const Setup& setup, Observer& observer, const Execution& execution)
   outcome.material_points = model.points().size();
   const double speed = setup.penetrometer.speed, final_depth = setup.penetrometer.final_depth;
   const double first_depth = model.mesh().tip_depth();
-  double depth = first_depth, last_look = 0.0, first_step = 0.0;
+  double depth = first_depth, last_report = 0.0, first_step = 0.0;
+  double next_look = observer.next_look();
+  const auto look = [&] {
+    observer.look(depth, model.points());
+    next_look = observer.next_look();
+  };
+  if (depth >= next_look) look();
 
   while (depth < final_depth && outcome.status == Status::completed) {
     model.compute_nodal_forces();
@@ -105,6 +111,7 @@ Outcome push(const Setup& setup, Observer& observer, const Execution& execution)
     auditor.add_step(model, load, bottom_impulse, speed, dt);
     depth += speed * dt;
     ++outcome.steps;
+    if (depth >= next_look) look();
 
     if (outcome.steps % steps_between_checks == 0)
       outcome.reason = auditor.check(model, depth - first_depth, outcome.status);
@@ -114,8 +121,8 @@ Outcome push(const Setup& setup, Observer& observer, const Execution& execution)
         outcome.status = Status::time_limit;
         outcome.reason = fmt::format("wall time limit of {:.0f} s reached at {:.1f} mm depth",
                                      execution.wall_limit_seconds, depth * 1e3);
-      } else if (now - last_look > 0.1) {
-        last_look = now;
+      } else if (now - last_report > 0.1) {
+        last_report = now;
         observer.progress({depth, final_depth, outcome.steps, outcome.material_points, now});
         if (observer.stop_requested(outcome.reason)) outcome.status = Status::time_limit;
       }

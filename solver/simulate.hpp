@@ -11,6 +11,8 @@
 
 namespace cpt::solver {
 
+class MaterialPoints;
+
 /// How a realization ended. The solver itself never returns `crashed` or `rank_lost`: the campaign does.
 enum class Status {
   completed,
@@ -68,6 +70,13 @@ class Observer {
   virtual void progress(const Progress&) {}
   /// Polled as often as `progress`; true ends the run with Status::time_limit and this reason.
   virtual bool stop_requested(std::string& /*reason*/) { return false; }
+
+  /// Depth of the tip [m] from which the observer wants to look at the material points; asked at the start
+  /// and after each look. Infinity: never again.
+  [[nodiscard]] virtual double next_look() const { return std::numeric_limits<double>::infinity(); }
+  /// A look at the material points (solver/point_states.hpp), after the first step that brings the tip to
+  /// the wanted depth; before the first step if it is there already.
+  virtual void look(double /*depth*/, const MaterialPoints&) {}
 };
 
 /// How to run, none of which changes a bit of the result.

@@ -37,7 +37,7 @@ const std::vector<Outside> outside = {
     {"fmt/.*", {""}},
     {"toml\\+\\+/.*", {"parameters/document.cpp"}},
     {"sqlite3\\.h", {"results/database.cpp"}},
-    {"hdf5\\.h", {"results/curve_store.cpp"}},
+    {"hdf5\\.h", {"results/hdf5_file.cpp"}},
     {"openssl/.*", {"results/provenance.cpp"}},
     {"mpi\\.h", {"campaign/mpi_transport.cpp"}},
     {"CLI/.*", {"cli/"}},

@@ -18,7 +18,7 @@ TEST(CommandLine, HelpHasExamplesAndExitCodes) {
     expect_has(result.out, "Exit codes:");
     expect_has(result.out, "rerun");
   }
-  for (const char* command : {"run", "rerun", "query", "report", "element", "list"})
+  for (const char* command : {"run", "rerun", "query", "report", "push", "element", "list"})
     EXPECT_EQ(run(campaign({command, "--help"})).exit_code, 0) << command;
 }
 
@@ -46,6 +46,17 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
       {{"query", folder.study(), "sql"}, "needs a statement"},
       {{"list", "nonsense"}, "nonsense"},
       {{"rerun", folder.study(), "x"}, "ID"},
+      {{"push", folder.study(), "99"}, "has no realization 99; it has 1 to 6"},
+      {{"push", folder.study(), "--set", "sand.Hh=3"}, "did you mean sand.H?"},
+      {{"push", folder.study(), "--set", "initial.sigma_h0_kPa=4000"}, "initial.sigma_h0_kPa: "},
+      {{"push", folder.study(), "--fields-at", "0.2,,0.4"}, "'' is not a number"},
+      {{"push", folder.study(), "--fields-at", "0.2,deep"}, "'deep' is not a number"},
+      {{"push", folder.study(), "--fields-at", "0.6"}, "must be 0 to 0.55 m, where the push ends"},
+      {{"push", folder.study(), "--track", "0.02"}, "must be R_M,DEPTH_M"},
+      {{"push", folder.study(), "--track", "0.5,0.5"}, "must be 0 to 0.45 m, the wall"},
+      {{"push", folder.study(), "--track", "0.02,1.5"}, "must be 0 to 1 m, the soil's bottom"},
+      {{"push", folder.study(), "--wall-between", "0.4,0.4"}, "the first depth must be the smaller one"},
+      {{"push", folder.study(), "--radial-between", "0.4,0.2"}, "the first depth must be the smaller one"},
       {{"element", "triaxial", "--set", "sand.Hh=3"}, "did you mean sand.H?"},
       {{"element", "triaxial", "--set", "sand.H"}, "must be NAME=VALUE"},
       {{"element", "triaxial", "--set", "sand.H=much"}, "not a number"},

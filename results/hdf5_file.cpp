@@ -1,0 +1,196 @@
+#include "results/hdf5_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+namespace cpt::results {
+namespace {
+
+/// An HDF5 identifier, closed by the function that fits its kind.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close) {
+    if (id_ < 0) throw Error(fmt::format("HDF5 cannot make or open {}", what));
+  }
+  ~Handle() { close_(id_); }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  [[nodiscard]] hid_t id() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+void check(herr_t code, const char* what) {
+  if (code < 0) throw Error(fmt::format("HDF5 cannot {}", what));
+}
+
+hid_t checked(hid_t id, const std::string& what) {
+  if (id < 0) throw Error(fmt::format("HDF5 cannot make or open {}", what));
+  return id;
+}
+
+/// HDF5 prints every failed call to stderr unless told not to; failures here become an Error.
+class QuietErrors {
+ public:
+  QuietErrors() {
+    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+
+ private:
+  H5E_auto2_t function_ = nullptr;
+  void* data_ = nullptr;
+};
+
+Handle utf8_type() {
+  const hid_t type = H5Tcopy(H5T_C_S1);
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return Handle(type, H5Tclose, "a text type");
+}
+
+Handle scalar() { return Handle(H5Screate(H5S_SCALAR), H5Sclose, "a scalar"); }
+
+void put_text_at(hid_t at, const std::string& name, const std::string& value) {
+  const Handle type = utf8_type();
+  const Handle space = scalar();
+  const Handle attribute(H5Acreate2(at, name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose, name);
+  const char* bytes = value.c_str();
+  check(H5Awrite(attribute.id(), type.id(), static_cast<const void*>(&bytes)), "write an attribute");
+}
+
+std::string text_at(hid_t at, const std::string& name) {
+  const Handle attribute(H5Aopen(at, name.c_str(), H5P_DEFAULT), H5Aclose, name);
+  const Handle type = utf8_type();
+  char* bytes = nullptr;
+  check(H5Aread(attribute.id(), type.id(), static_cast<void*>(&bytes)), "read an attribute");
+  std::string value = bytes == nullptr ? "" : bytes;
+  H5free_memory(bytes);
+  return value;
+}
+
+void flush_to_disk(const std::filesystem::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0 || fsync(descriptor) != 0) {
+    if (descriptor >= 0) close(descriptor);
+    throw Error(file.string() + ": cannot be written to disk");
+  }
+  close(descriptor);
+}
+
+Hdf5Group root_of(const Handle& file) {
+  return Hdf5Group(checked(H5Gopen2(file.id(), "/", H5P_DEFAULT), "the root"));
+}
+
+}  // namespace
+
+Hdf5Group::~Hdf5Group() { H5Gclose(id_); }
+
+Hdf5Group Hdf5Group::add_group(const std::string& name) const {
+  return Hdf5Group(checked(H5Gcreate2(id_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), name));
+}
+
+Hdf5Group Hdf5Group::group(const std::string& name) const {
+  return Hdf5Group(checked(H5Gopen2(id_, name.c_str(), H5P_DEFAULT), name));
+}
+
+std::vector<std::string> Hdf5Group::names() const {
+  H5G_info_t info{};
+  check(H5Gget_info(id_, &info), "list a group");
+  std::vector<std::string> all;
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    const auto name_of = [&](char* text, std::size_t size) {
+      return H5Lget_name_by_idx(id_, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, size, H5P_DEFAULT);
+    };
+    const ssize_t length = name_of(nullptr, 0);
+    if (length <= 0) throw Error("HDF5 cannot list a group");
+    std::string& name = all.emplace_back(static_cast<std::size_t>(length), '\0');
+    if (name_of(name.data(), name.size() + 1) < 0) throw Error("HDF5 cannot list a group");
+  }
+  return all;
+}
+
+void Hdf5Group::put_text(const std::string& name, const std::string& value) const {
+  put_text_at(id_, name, value);
+}
+
+std::string Hdf5Group::text(const std::string& name) const { return text_at(id_, name); }
+
+void Hdf5Group::put_number(const std::string& name, double value) const {
+  const Handle space = scalar();
+  const Handle attribute(H5Acreate2(id_, name.c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose, name);
+  check(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, &value), "write an attribute");
+}
+
+std::optional<double> Hdf5Group::number(const std::string& name) const {
+  if (H5Aexists(id_, name.c_str()) <= 0) return std::nullopt;
+  const Handle attribute(H5Aopen(id_, name.c_str(), H5P_DEFAULT), H5Aclose, name);
+  double value = 0.0;
+  check(H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value), "read an attribute");
+  return value;
+}
+
+void Hdf5Group::put_array(const std::string& name, const std::vector<double>& values,
+                          const std::string& unit) const {
+  const hsize_t size = values.size();
+  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, "an array");
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "a property list");
+  check(H5Pset_obj_track_times(creation.id(), false), "switch off time stamps");
+  const Handle set(
+      H5Dcreate2(id_, name.c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+      H5Dclose, name);
+  check(H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+        "write an array");
+  if (!unit.empty()) put_text_at(set.id(), "unit", unit);
+}
+
+std::vector<double> Hdf5Group::array(const std::string& name) const {
+  const Handle set(H5Dopen2(id_, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+  const Handle space(H5Dget_space(set.id()), H5Sclose, "an array");
+  const hssize_t size = H5Sget_simple_extent_npoints(space.id());
+  if (size < 0) throw Error("HDF5 cannot tell the size of an array");
+  std::vector<double> values(static_cast<std::size_t>(size));
+  check(H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read an array");
+  return values;
+}
+
+std::string Hdf5Group::unit(const std::string& array) const {
+  const Handle set(H5Dopen2(id_, array.c_str(), H5P_DEFAULT), H5Dclose, array);
+  return text_at(set.id(), "unit");
+}
+
+void write_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& fill) {
+  const QuietErrors quiet;
+  const std::filesystem::path temporary = file.string() + ".tmp";
+  try {
+    {
+      const Handle h5(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
+                      temporary.string());
+      fill(root_of(h5));
+      check(H5Fflush(h5.id(), H5F_SCOPE_GLOBAL), "write the file");
+    }
+    flush_to_disk(temporary);
+    std::filesystem::rename(temporary, file);
+  } catch (const std::exception& error) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw Error(fmt::format("{}: cannot be written ({})", file.string(), error.what()));
+  }
+}
+
+void read_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& read) {
+  const QuietErrors quiet;
+  const Handle h5(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, file.string());
+  read(root_of(h5));
+}
+
+}  // namespace cpt::results

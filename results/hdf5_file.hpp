@@ -1,0 +1,51 @@
+// HDF5 files as groups of arrays and attributes. The library itself is used in hdf5_file.cpp alone.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results/error.hpp"
+
+namespace cpt::results {
+
+/// A group of an open file. All functions throw Error; equal contents make equal bytes (no time stamps).
+class Hdf5Group {
+ public:
+  explicit Hdf5Group(std::int64_t id) : id_(id) {}  // closed with the object
+  ~Hdf5Group();
+  Hdf5Group(const Hdf5Group&) = delete;
+  Hdf5Group& operator=(const Hdf5Group&) = delete;
+
+  [[nodiscard]] Hdf5Group add_group(const std::string& name) const;
+  [[nodiscard]] Hdf5Group group(const std::string& name) const;
+  /// Names of the groups and arrays in this group, in alphabetical order.
+  [[nodiscard]] std::vector<std::string> names() const;
+
+  // Attributes of the group.
+  void put_text(const std::string& name, const std::string& value) const;
+  void put_number(const std::string& name, double value) const;
+  [[nodiscard]] std::string text(const std::string& name) const;
+  [[nodiscard]] std::optional<double> number(const std::string& name) const;  ///< nullopt if there is none
+
+  // Arrays of 64-bit floats, little-endian. A unit becomes the array's attribute `unit`.
+  void put_array(const std::string& name, const std::vector<double>& values,
+                 const std::string& unit = "") const;
+  [[nodiscard]] std::vector<double> array(const std::string& name) const;
+  [[nodiscard]] std::string unit(const std::string& array) const;
+
+ private:
+  std::int64_t id_;
+};
+
+/// Writes a file whole: to FILE.tmp, down to the disk, then renamed into place, so that it is always
+/// complete.
+void write_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& fill);
+
+/// Opens a file to read from its root.
+void read_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& read);
+
+}  // namespace cpt::results
