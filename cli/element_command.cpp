@@ -1,9 +1,8 @@
-// campaign element triaxial|oedometer|isotropic
+// campaign element triaxial|oedometer|isotropic; calibrate has a file of its own
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -11,7 +10,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/set_quantity.hpp"
 #include "cli/study_argument.hpp"
-#include "results/error.hpp"
+#include "cli/write_file.hpp"
 #include "results/table_format.hpp"
 #include "solver/constitutive/element_test.hpp"
 #include "solver/presets.hpp"
@@ -84,17 +83,10 @@ results::Table make_table(const std::vector<solver::ElementRow>& rows, std::size
   return table;
 }
 
-void write_csv(const std::filesystem::path& file, const results::Table& table) {
-  std::ofstream stream(file);
-  stream << results::format(table, results::Format::csv);
-  stream.close();
-  if (!stream) throw results::Error(fmt::format("cannot write {}", file.string()));
-}
-
 int element(const Arguments& arguments) {
   const solver::ElementResult result = solver::run_element_test(make_test(arguments));
   if (!arguments.csv.empty() && !result.rows.empty()) {
-    write_csv(arguments.csv, make_table(result.rows, 1));
+    write_file(arguments.csv, results::format(make_table(result.rows, 1), results::Format::csv));
     fmt::print("{} rows: {}\n", result.rows.size(), arguments.csv.string());
   } else if (!result.rows.empty()) {
     const std::size_t stride = std::max<std::size_t>(1, (result.rows.size() - 1) / 25);
@@ -164,7 +156,8 @@ void add_element(CLI::App& program, Action& action) {
   command->footer(R"(Examples:
   campaign element triaxial --D_r_percent 80 --p0_kPa 320 --csv dense.csv
   campaign element triaxial --undrained --material clay --set clay.s_u_kPa=33.5
-  campaign element oedometer --sigma_v0_kPa 20 --max_sigma_v_kPa 10000 --set sand.H=75)");
+  campaign element oedometer --sigma_v0_kPa 20 --max_sigma_v_kPa 10000 --set sand.H=75
+  campaign element calibrate dense_160kPa.csv loose_40kPa.csv --csv H.csv)");
 }
 
 }  // namespace cpt::cli

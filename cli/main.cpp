@@ -28,6 +28,7 @@ constexpr const char* examples = R"(Examples:
   campaign query sens.toml sensitivity       the sensitivity indices so far
   campaign report sens.toml                  figures and tables in sens-report/
   campaign element triaxial --p0_kPa 100     a triaxial test of the sand
+  campaign element calibrate cd_160kPa.csv   hardening modulus from a measured one
   campaign list quantities                   everything a study can set
 
 )";
@@ -63,8 +64,8 @@ int run_program(int argc, char** argv) {
   program.footer(std::string(examples) + cli::exit_code_help);
   program.require_subcommand(1);
   cli::Action action;
-  for (const auto add :
-       {cli::add_run, cli::add_rerun, cli::add_query, cli::add_report, cli::add_element, cli::add_list})
+  for (const auto add : {cli::add_run, cli::add_rerun, cli::add_query, cli::add_report, cli::add_paper,
+                         cli::add_element, cli::add_list})
     add(program, action);
 
   std::vector<std::string> words = command_line(argc, argv, program);

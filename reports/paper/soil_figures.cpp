@@ -23,17 +23,19 @@ constexpr double figure_width = 400.0;
 // Densities of the laboratory's tests (Yost et al. 2023, section 4.2) and stresses over their range.
 constexpr std::array densities = {0.80, 0.51, 0.01};
 constexpr std::array pressures = {40.0e3, 160.0e3, 640.0e3};
-constexpr std::array moduli = {25.0, 75.0};           // bounds of H, Table 2
+constexpr std::array moduli = {25.0, 75.0};  // bounds of H, Table 2
+constexpr double as_measured = 0.15;         // [-] axial strain of a laboratory test
+constexpr double to_critical_state = 0.80;   // [-] as no laboratory test, so that the paths end on the line
 constexpr std::array slopes = {0.009, 0.012, 0.015};  // lambda: lower bound, baseline, upper bound, Table 2
 
-std::vector<ElementRow> triaxial(double D_r, double p_0, double H) {
+std::vector<ElementRow> triaxial(double D_r, double p_0, double H, double axial_strain) {
   solver::ElementTest test;
   solver::Sand sand;
   sand.D_r = D_r;
   sand.H = H;
   test.material = sand;
   test.sigma_a = test.sigma_r = p_0;
-  test.max_axial_strain = 0.15;
+  test.max_axial_strain = axial_strain;
   test.steps = 300;
   return solver::run_element_test(test).rows;
 }
@@ -95,8 +97,8 @@ std::string critical_state_figure() {
   for (const double lambda : slopes)
     plot.curves.push_back(critical_state(lambda, 10.0, 2000.0, lambda == slopes[1] ? baseline : bound));
   for (std::size_t k = 0; k < pressures.size(); ++k)
-    plot.curves.push_back(
-        curve(triaxial(0.01, pressures[k], moduli[0]), {palette::series[k], 1.0, {}}, p_kPa, e));
+    plot.curves.push_back(curve(triaxial(0.01, pressures[k], moduli[0], to_critical_state),
+                                {palette::series[k], 1.0, {}}, p_kPa, e));
   const Box box{52.0, 44.0, 220.0, 205.0};
   draw(svg, box, plot);
   Legend legend{svg, box.right() + 12.0, box.y + 6.0, 105.0};
@@ -121,7 +123,7 @@ std::string triaxial_figure() {
     for (std::size_t k = 0; k < pressures.size(); ++k)
       for (const double H : moduli) {
         const Pen pen{palette::series[k], 0.9, H == moduli[0] ? "" : "3 2"};
-        const auto rows = triaxial(densities[row], pressures[k], H);
+        const auto rows = triaxial(densities[row], pressures[k], H, as_measured);
         stress.curves.push_back(curve(rows, pen, axial, q_MPa));
         volume.curves.push_back(curve(rows, pen, axial, volumetric));
         state.curves.push_back(curve(rows, pen, p_kPa, e));
