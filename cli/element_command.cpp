@@ -1,4 +1,4 @@
-// campaign element triaxial|oedometer|isotropic
+// campaign element triaxial|oedometer|isotropic; calibrate has a file of its own
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -155,7 +155,8 @@ void add_element(CLI::App& program, Action& action) {
   command->footer(R"(Examples:
   campaign element triaxial --D_r_percent 80 --p0_kPa 320 --csv dense.csv
   campaign element triaxial --undrained --material clay --set clay.s_u_kPa=33.5
-  campaign element oedometer --sigma_v0_kPa 20 --max_sigma_v_kPa 10000 --set sand.H=75)");
+  campaign element oedometer --sigma_v0_kPa 20 --max_sigma_v_kPa 10000 --set sand.H=75
+  campaign element calibrate dense_160kPa.csv loose_40kPa.csv --csv H.csv)");
 }
 
 }  // namespace cpt::cli

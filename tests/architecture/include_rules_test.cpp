@@ -43,7 +43,8 @@ const std::vector<Outside> outside = {
     {"CLI/.*", {"cli/"}},
     {"nlohmann/.*", {"results/table_format.cpp", "reports/"}},
     {"librsvg/.*|cairo.*", {"reports/"}},
-    {"Eigen/.*", {"solver/", "diagnosis/"}},
+    {"Eigen/.*", {"solver/", "parameters/calibration/trend.cpp", "diagnosis/"}},
+    {"boost/math/.*", {"parameters/calibration/hardening.cpp", "results/window_noise.cpp"}},
     {"omp\\.h|immintrin\\.h", {"solver/"}},
     // The operating system: locks on files, processes, the terminal.
     {"(sys/[a-z]+|fcntl|unistd)\\.h", {"results/", "campaign/"}},

@@ -1,6 +1,11 @@
 // What the program says and returns for good and bad command lines.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
 #include "tests/cli/program.hpp"
 
 namespace cpt::tests {
@@ -18,7 +23,7 @@ TEST(CommandLine, HelpHasExamplesAndExitCodes) {
     expect_has(result.out, "Exit codes:");
     expect_has(result.out, "rerun");
   }
-  for (const char* command : {"run", "rerun", "query", "report", "push", "element", "list"})
+  for (const char* command : {"run", "rerun", "query", "report", "push", "paper", "element", "list"})
     EXPECT_EQ(run(campaign({command, "--help"})).exit_code, 0) << command;
 }
 
@@ -106,6 +111,68 @@ TEST(CommandLine, UnusableDatabaseIsExitCode6) {
   EXPECT_EQ(run(campaign({"query", folder.study(), "realizations"})).exit_code, 6);
   EXPECT_EQ(run(campaign({folder.study(), "--executor", FAKE_REALIZATION})).exit_code, 6);
   EXPECT_EQ(run(mpirun(2, {folder.study(), "--executor", FAKE_REALIZATION})).exit_code, 6);
+}
+
+TEST(CommandLine, CalibratesHardeningFromWhatTheElementTestMade) {
+  const StudyFolder folder;
+  const std::string made = folder.file("made.csv");
+  ASSERT_EQ(run(campaign({"element", "triaxial", "--D_r_percent", "51", "--p0_kPa", "160", "--set",
+                          "sand.H=60", "--strain_percent", "5", "--steps", "200", "--csv", made}))
+                .exit_code,
+            0);
+  // Its natural strains as a laboratory's per cent of the initial length, its columns under a laboratory's
+  // names.
+  std::istringstream rows(folder.read("made.csv"));
+  std::string lab = "# test = CD 51\n# D_r_percent = 51\n# p0_kPa = 160\neps_a_percent,q_kPa,eps_v_percent\n";
+  std::string line;
+  for (std::getline(rows, line); std::getline(rows, line);) {
+    double eps_a = 0.0, eps_v = 0.0, q = 0.0;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf", &eps_a, &eps_v, &q), 3);
+    lab += std::to_string(-100.0 * std::expm1(-eps_a)) + "," + std::to_string(q) + "," +
+           std::to_string(-100.0 * std::expm1(-eps_v)) + "\n";
+  }
+  folder.write("lab.csv", lab);
+  const Result result =
+      run(campaign({"element", "calibrate", folder.file("lab.csv"), "--csv", folder.file("H.csv")}));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  expect_has(result.out, "psi_0");
+  const std::string table = folder.read("H.csv");
+  double p_0 = 0.0, e_0 = 0.0, psi_0 = 0.0, H = 0.0;
+  ASSERT_EQ(std::sscanf(table.c_str() + table.find("CD 51"), "CD 51,%lf,%lf,%lf,%lf", &p_0, &e_0, &psi_0, &H),
+            4)
+      << table;
+  EXPECT_EQ(p_0, 160.0);
+  EXPECT_NEAR(H, 60.0, 0.6);
+
+  folder.write("bad.csv", "eps_a_percent,q_kPa\n0,0\n1,x\n2,3\n");
+  const Result bad = run(campaign({"element", "calibrate", folder.file("bad.csv"), folder.file("none.csv")}));
+  EXPECT_EQ(bad.exit_code, 2);
+  expect_has(bad.err, "bad.csv:3:3: q_kPa: 'x' is not a number");
+  expect_has(bad.err, "none.csv: cannot be read");
+  folder.write("bare.csv", "eps_a_percent,q_kPa\n0,0\n1,2\n2,3\n");
+  const Result bare = run(campaign({"element", "calibrate", folder.file("bare.csv")}));
+  EXPECT_EQ(bare.exit_code, 2);
+  expect_has(bare.err, "--p0_kPa");
+  expect_has(bare.err, "--D_r_percent");
+}
+
+TEST(CommandLine, PaperHoldsWhatThereIsAgainstThePaper) {
+  const StudyFolder folder;
+  const std::string page = folder.file("page.md");
+  const Result none = run(campaign({"paper", folder.file(""), "--out", page}));
+  EXPECT_EQ(none.exit_code, 6);
+  expect_has(none.err, "holds none of homogeneous_sand.sqlite");
+
+  folder.write("homogeneous_sand.toml", folder.read("small.toml"));
+  ASSERT_EQ(
+      run(campaign({folder.file("homogeneous_sand.toml"), "--executor", FAKE_REALIZATION, "--no-report"}))
+          .exit_code,
+      0);
+  const Result result = run(campaign({"paper", folder.file(""), "--out", page}));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  expect_has(result.out, page);
+  expect_has(folder.read("page.md"), "| homogeneous_sand | quick | 6 of 6 realizations completed |");
+  expect_has(folder.read("page.md"), "homogeneous_clay has not been run");
 }
 
 TEST(CommandLine, ListsQuantitiesInThreeFormats) {

@@ -32,6 +32,32 @@ TEST(Examples, HaveTheRealizationsOfThePaper) {
   expect_study("paper/homogeneous_sand.toml", Profile::homogeneous_sand, Preset::paper, 21);
   expect_study("paper/homogeneous_clay.toml", Profile::homogeneous_clay, Preset::paper, 12);
   expect_study("paper/layered.toml", Profile::layered_sand_clay, Preset::paper, 28);
+  expect_study("paper/sand_flexible.toml", Profile::homogeneous_sand, Preset::paper, 4);
+  expect_study("paper/dense_rigid.toml", Profile::homogeneous_sand, Preset::paper, 3);
+  expect_study("paper/dense_flexible.toml", Profile::homogeneous_sand, Preset::paper, 2);
+  expect_study("paper/second_push.toml", Profile::homogeneous_sand, Preset::paper, 2);
+}
+
+// Yost et al. (2023), sections 6.2 and 6.3: what the chamber's studies change, and nothing else.
+TEST(Examples, ChamberStudiesDifferFromEachOtherAsThePaperSays) {
+  const Study rigid = example("paper/dense_rigid.toml");
+  EXPECT_EQ(rigid.baseline.initial.sigma_v0, 100.0e3);
+  EXPECT_EQ(rigid.baseline.initial.sigma_h0, 50.0e3);
+  EXPECT_DOUBLE_EQ(rigid.baseline.sand.D_r, 0.60);
+  const Study flexible = example("paper/dense_flexible.toml");
+  solver::Setup setup = rigid.baseline;
+  setup.chamber.wall = solver::Wall::flexible;
+  EXPECT_EQ(solver::canonical_text(flexible.baseline), solver::canonical_text(setup));
+  const Study second = example("paper/second_push.toml");
+  setup = rigid.baseline;
+  setup.initial.sigma_v0 = 120.0e3;
+  setup.initial.sigma_h0 = 60.0e3;
+  EXPECT_EQ(solver::canonical_text(second.baseline), solver::canonical_text(setup));
+  const Study homogeneous = example("paper/homogeneous_sand.toml");
+  setup = homogeneous.baseline;
+  setup.chamber.wall = solver::Wall::flexible;
+  EXPECT_EQ(solver::canonical_text(example("paper/sand_flexible.toml").baseline),
+            solver::canonical_text(setup));
 }
 
 // Baselines of the examples repeat those of the presets, so that a preset and a study cannot drift apart.

@@ -1,0 +1,52 @@
+// campaign paper FOLDER
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/exit_codes.hpp"
+#include "reports/paper/write_paper.hpp"
+
+namespace cpt::cli {
+namespace {
+
+struct Arguments {
+  std::filesystem::path folder, beside;
+  std::filesystem::path out = "docs/paper.md";
+};
+
+int paper(const Arguments& arguments) {
+  using namespace reports::paper;
+  const Studies studies = read_studies(arguments.folder);
+  const Studies beside = arguments.beside.empty() ? Studies{} : read_studies(arguments.beside);
+  const auto files = write_paper(studies, arguments.out, arguments.beside.empty() ? nullptr : &beside);
+  fmt::print("{} and {} figure files in {}\n", files.front().string(), files.size() - 1,
+             (arguments.out.parent_path() / arguments.out.stem()).string());
+  return all_well;
+}
+
+}  // namespace
+
+void add_paper(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand(
+      "paper", "Hold the campaigns of examples/paper against the results of Yost et al. (2023)");
+  command->add_option("FOLDER", arguments->folder, "Where their databases are")->type_name("")->required();
+  command
+      ->add_option("--out", arguments->out, "Page to write; figures go to the folder of its name beside it")
+      ->type_name("FILE.md")
+      ->capture_default_str();
+  command
+      ->add_option("--beside", arguments->beside,
+                   "Folder of the same studies run otherwise, finer for instance: columns of their own")
+      ->type_name("FOLDER");
+  command->footer(R"(Works at any time: what has not been run is told as such.
+
+Examples:
+  scripts/reproduce-paper                           runs all studies and writes docs/paper.md
+  campaign paper examples/paper --out /tmp/now.md   how far they are)");
+  command->callback([arguments, &action] { action = [arguments] { return paper(*arguments); }; });
+}
+
+}  // namespace cpt::cli

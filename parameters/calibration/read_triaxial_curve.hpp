@@ -1,0 +1,43 @@
+// Reads a drained triaxial test from CSV.
+//
+//   # test = dense, 160 kPa          optional; other comments are free
+//   # D_r_percent = 80               or e0 = 0.62; may come from the command line instead
+//   # p0_kPa = 160                   may come from the command line instead
+//   eps_a_percent,q_kPa,eps_v_percent
+//   0.00,0.0,0.00
+//   0.25,212.4,0.05
+//
+// The first line that is no comment names the columns, in any order; eps_v_percent may be missing, and
+// further columns are not read. Fields are set apart by commas, semicolons or tabs, whichever the names are.
+// Strains are engineering strains, compression-positive.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "parameters/calibration/triaxial_curve.hpp"
+
+namespace cpt::calibration {
+
+/// What is wrong with a file and where; line and column count from 1, 0 is the file as a whole.
+struct CurveProblem {
+  std::string file;
+  int line = 0;
+  int column = 0;
+  std::string message;
+};
+/// "dense.csv:7:12: 'abc' is not a number", one line each.
+[[nodiscard]] std::string format(const std::vector<CurveProblem>& problems);
+
+/// The curve, or everything that is wrong with the file.
+using CurveOrProblems = std::variant<TriaxialCurve, std::vector<CurveProblem>>;
+
+/// Never throws for what the file says.
+[[nodiscard]] CurveOrProblems read_triaxial_curve(const std::filesystem::path& file);
+/// The same from text; `file` names it in messages.
+[[nodiscard]] CurveOrProblems parse_triaxial_curve(std::string_view text, const std::filesystem::path& file);
+
+}  // namespace cpt::calibration

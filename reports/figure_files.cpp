@@ -1,0 +1,85 @@
+#include "reports/figure_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "reports/figures.hpp"
+#include "reports/png.hpp"
+
+namespace cpt::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Part of a file name: letters and digits of ASCII, '_' for all else; numbered where two windows come out
+/// equal.
+std::string file_part(const std::string& name, std::set<std::string>& taken) {
+  std::string part;
+  for (const char c : name) {
+    const bool keep = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+    if (keep || part.empty() || part.back() != '_') part += keep ? c : '_';
+  }
+  part.resize(std::min<std::size_t>(part.size(), 60));
+  if (part.empty() || part == "_") part = "window";
+  std::string unique = part;
+  for (int k = 2; !taken.insert(unique).second; ++k) unique = fmt::format("{}-{}", part, k);
+  return unique;
+}
+
+}  // namespace
+
+void make_directory(const fs::path& directory) {
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error)
+    throw results::Error(fmt::format("{}: cannot be made ({})", directory.string(), error.message()));
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (!out) throw results::Error(file.string() + ": cannot be written");
+}
+
+std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign) {
+  std::vector<NamedFigure> figures;
+  std::set<std::string> taken;
+  for (const results::WindowRow& window : campaign.windows) {
+    const std::string part = file_part(window.name, taken);
+    figures.push_back({"tornado_" + part,
+                       fmt::format("Range of the average cone resistance in window {} between each input's "
+                                   "lower and upper bound, whose values stand at the bar's ends.",
+                                   window.name),
+                       tornado_figure(campaign, window)});
+    figures.push_back({"sensitivity_" + part,
+                       fmt::format("Sensitivity index of each input in window {}; the dashed line is the "
+                                   "noise of the baseline.",
+                                   window.name),
+                       sensitivity_figure(campaign, window)});
+  }
+  figures.push_back({"profiles",
+                     "Cone resistance of all realizations; those furthest from the baseline in a window are "
+                     "told apart.",
+                     profiles_figure(campaign)});
+  figures.push_back({"baseline", "Cone resistance of the baseline and the windows it is averaged in.",
+                     baseline_figure(campaign)});
+  return figures;
+}
+
+std::vector<fs::path> write_figure(const NamedFigure& figure, const fs::path& directory) {
+  const fs::path svg = directory / (figure.name + ".svg"), png = directory / (figure.name + ".png");
+  if (!figure.svg) {
+    std::error_code ignored;
+    for (const fs::path& file : {svg, png}) fs::remove(file, ignored);
+    return {};
+  }
+  write_text(svg, *figure.svg);
+  write_png(*figure.svg, png);
+  return {svg, png};
+}
+
+}  // namespace cpt::reports

@@ -1,0 +1,32 @@
+// Figures as files: which a campaign has, and how one is written.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results/snapshot.hpp"
+
+namespace cpt::reports {
+
+struct NamedFigure {
+  std::string name;                ///< file name without ending
+  std::string caption;             ///< plain text
+  std::optional<std::string> svg;  ///< nothing where the results it needs are not there
+};
+
+/// Tornado and indices of every window, profiles, baseline.
+[[nodiscard]] std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign);
+
+/// Writes NAME.svg and NAME.png and returns them; without an SVG it removes those of an earlier report.
+/// Throws results::Error if a file cannot be written.
+std::vector<std::filesystem::path> write_figure(const NamedFigure& figure,
+                                                const std::filesystem::path& directory);
+
+/// Makes a folder and those above it; throws results::Error if it cannot.
+void make_directory(const std::filesystem::path& directory);
+/// Replaces a file; throws results::Error if it cannot be written.
+void write_text(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace cpt::reports

@@ -1,0 +1,36 @@
+#include "reports/paper/write_paper.hpp"
+
+#include "reports/figure_files.hpp"
+#include "reports/paper/figures.hpp"
+#include "reports/paper/page.hpp"
+
+namespace cpt::reports::paper {
+
+std::vector<std::filesystem::path> write_paper(const Studies& studies, const std::filesystem::path& page_file,
+                                               const Studies* beside) {
+  const std::filesystem::path name = page_file.stem();
+  const std::filesystem::path folder_of_figures = page_file.parent_path() / name;
+  std::vector<std::filesystem::path> files = {page_file};
+  std::vector<FigureGroup> groups;
+  const auto write = [&](std::string title, const std::string& folder,
+                         const std::vector<NamedFigure>& figures) {
+    make_directory(folder_of_figures / folder);
+    FigureGroup group{std::move(title), {}};
+    for (const NamedFigure& figure : figures) {
+      for (const std::filesystem::path& file : write_figure(figure, folder_of_figures / folder))
+        files.push_back(file);
+      if (figure.svg)
+        group.figures.push_back({(name / folder / (figure.name + ".svg")).generic_string(), figure.caption});
+    }
+    groups.push_back(std::move(group));
+  };
+  write("Sand in the laboratory", "soil", soil_figures());
+  for (const std::string_view study : study_names())
+    if (const auto found = studies.find(study); found != studies.end())
+      write(found->second.campaign.title, std::string(study), campaign_figures(found->second));
+  write("Walls and second push", "chamber", chamber_figures(studies));
+  write_text(page_file, page(studies, groups, beside));
+  return files;
+}
+
+}  // namespace cpt::reports::paper

@@ -1,0 +1,143 @@
+#include "reports/paper/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "reports/paper/figures.hpp"
+#include "reports/paper/index_tables.hpp"
+#include "reports/paper/markdown.hpp"
+#include "reports/paper/write_paper.hpp"
+#include "tests/reports/paper/paper_campaigns.hpp"
+
+namespace cpt::reports::paper {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+TEST(Markdown, BarsInCellsDoNotMakeColumns) {
+  EXPECT_EQ(table_line({"|SI|", "a\nb"}), "| \\|SI\\| | a b |\n");
+  EXPECT_EQ(table_head({"a", "b"}), "| a | b |\n| --- | --- |\n");
+}
+
+TEST(PaperPage, LinksOnlyFilesThatAreThere) {
+  const PaperCampaigns campaigns;
+  Studies studies = campaigns.studies();
+  std::erase_if(studies, [](const auto& study) {
+    return study.first != clay_study && study.first != dense_rigid_study;
+  });
+  const auto files = write_paper(studies, campaigns.folder() / "out.md");
+  const std::string text = read(campaigns.folder() / "out.md");
+  EXPECT_EQ(files.front(), campaigns.folder() / "out.md");
+  std::size_t links = 0;
+  for (auto at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+    const fs::path link = campaigns.folder() / text.substr(at + 2, text.find(')', at) - at - 2);
+    EXPECT_TRUE(fs::exists(link)) << link;
+    EXPECT_TRUE(fs::exists(fs::path(link).replace_extension(".png"))) << link;
+    ++links;
+  }
+  EXPECT_EQ(links, 3u + 4u + 4u + 2u);  // soil, two studies, the comparisons of the dense sand with itself
+  EXPECT_EQ(files.size(), 1u + 2u * links);
+}
+
+TEST(PaperPage, TablesHaveAsManyCellsAsColumns) {
+  const PaperCampaigns campaigns({{sand_study, {{13, "crashed"}, {14, "pending"}}}});
+  const Studies studies = campaigns.studies();
+  std::istringstream stream(page(studies, {}, &studies));
+  std::size_t columns = 0;
+  int tables = 0;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with("|")) {
+      columns = 0;
+      continue;
+    }
+    std::size_t cells = 0;
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if (line[i] == '|' && line[i - 1] != '\\') ++cells;
+    if (columns == 0) {
+      columns = cells;
+      ++tables;
+    }
+    EXPECT_EQ(cells, columns) << line;
+  }
+  EXPECT_EQ(tables, 3 + 8);  // runs here and beside, findings, indices by study and window
+}
+
+TEST(PaperPage, SaysWhatWasRunAndAtWhichPreset) {
+  const PaperCampaigns campaigns;
+  Studies studies = campaigns.studies();
+  studies.erase(studies.find(layered_study));
+  const std::string text = page(studies, {});
+  EXPECT_TRUE(has(text, "| homogeneous_sand | quick | 21 of 21 realizations completed |"));
+  EXPECT_TRUE(has(text, "| layered |  | not run |"));
+  EXPECT_TRUE(has(text, "at another resolution than the paper's"));
+  EXPECT_TRUE(has(text, "8542 kPa"));
+  EXPECT_TRUE(has(text, "by far the parameter dominating"));
+  EXPECT_FALSE(has(text, "nan"));
+}
+
+TEST(PaperPage, OtherCampaignsHaveColumnsOfTheirOwn) {
+  const PaperCampaigns campaigns;
+  const Studies studies = campaigns.studies();
+  Studies fine = studies;
+  for (auto& [name, study] : fine) study.campaign.preset = "standard";
+  for (results::WindowMeanRow& mean : fine.find(clay_study)->second.window_means)
+    if (mean.realization == 1) mean.q_c_mean_kPa = 777.0;
+  const std::string text = page(studies, {}, &fine);
+  const std::string row = text.substr(text.find("| C1 |"), 300);
+  EXPECT_TRUE(has(row.substr(0, row.find('\n')), "| quick | 777.0 kPa | **differs** | standard |")) << row;
+}
+
+TEST(PaperPage, AFolderWithoutCampaignsIsAnError) {
+  EXPECT_THROW((void)read_studies(fs::temp_directory_path() / "no-such-folder"), results::Error);
+}
+
+TEST(IndexInterval, ComesFromTheCurvesOfHomogeneousSoilOnly) {
+  const PaperCampaigns campaigns;
+  const Studies studies = campaigns.studies();
+  const auto half = index_interval(studies.find(sand_study)->second, "sand", "sand.H");
+  ASSERT_TRUE(half);
+  EXPECT_GT(*half, 0.0);
+  EXPECT_LT(*half, 0.02);  // bins scatter by about 1 %, averages over 40 of them by much less
+  EXPECT_FALSE(index_interval(studies.find(layered_study)->second, "embedded_sand", "sand.H"));
+  EXPECT_FALSE(index_interval(studies.find(dense_rigid_study)->second, "whole", "sand.D_r_percent"));
+}
+
+TEST(PaperFigures, ChamberFiguresNeedTwoCurves) {
+  const PaperCampaigns campaigns;
+  Studies studies = campaigns.studies();
+  for (const NamedFigure& figure : chamber_figures(studies)) {
+    ASSERT_TRUE(figure.svg) << figure.name;
+    EXPECT_FALSE(has(*figure.svg, "nan")) << figure.name;
+  }
+  EXPECT_TRUE(has(*chamber_figures(studies)[0].svg, "flexible, "));
+  std::erase_if(studies, [](const auto& study) { return study.first != second_push_study; });
+  EXPECT_FALSE(chamber_figures(studies)[0].svg);
+}
+
+TEST(PaperFigures, SoilFiguresShowTheirCurves) {
+  const auto figures = soil_figures();
+  ASSERT_EQ(figures.size(), 3u);
+  const std::size_t curves[] = {6, 18 * 3, 3};
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    ASSERT_TRUE(figures[i].svg);
+    EXPECT_FALSE(has(*figures[i].svg, "nan")) << figures[i].name;
+    std::size_t lines = 0;
+    for (auto at = figures[i].svg->find("<path"); at != std::string::npos;
+         at = figures[i].svg->find("<path", at + 1))
+      ++lines;
+    EXPECT_EQ(lines, curves[i]) << figures[i].name;
+  }
+}
+
+}  // namespace
+}  // namespace cpt::reports::paper
