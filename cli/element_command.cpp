@@ -152,6 +152,7 @@ void add_element(CLI::App& program, Action& action) {
            action);
   add_path(*command, "isotropic", "Compression with equal strain all round", solver::ElementPath::isotropic,
            action);
+  add_calibrate(*command, action);
   command->footer(R"(Examples:
   campaign element triaxial --D_r_percent 80 --p0_kPa 320 --csv dense.csv
   campaign element triaxial --undrained --material clay --set clay.s_u_kPa=33.5
