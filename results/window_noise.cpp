@@ -14,20 +14,22 @@ constexpr int fewest_bins = 2;       // in a window
 constexpr double confidence = 0.95;  // [-]
 
 struct Average {
-  double depth;  // [m] middle of the window
+  double depth;  // [m] mean of the window's bins
   double q_c;    // [Pa]
 };
 
 std::vector<Average> averages_around(const solver::DepthProfile& profile, const Interval& interval) {
   const double width = interval.to - interval.from;
+  const solver::DepthProfile depths{profile.depth, profile.depth, profile.f_s};
   std::vector<Average> found;
   const auto try_at = [&](int shift) {
     const Interval here = {interval.from + shift * width, interval.to + shift * width};
     if (found.size() >= most || here.from < 0.0 || here.to > profile.depth.back() + 0.5 * width) return;
     // Open at the upper end, so that no bin counts in two windows.
-    const auto mean = average(profile, {here.from + 1e-3 * width, here.to});
+    const Interval open = {here.from + 1e-3 * width, here.to};
+    const auto mean = average(profile, open);
     if (mean && mean.value.bins >= fewest_bins)
-      found.push_back({0.5 * (here.from + here.to), mean.value.mean});
+      found.push_back({average(depths, open).value.mean, mean.value.mean});
   };
   try_at(0);
   const int reach = width > 0.0 ? static_cast<int>(most) : 0;

@@ -56,7 +56,7 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
       {{"push", folder.study(), "--set", "initial.sigma_h0_kPa=4000"}, "initial.sigma_h0_kPa: "},
       {{"push", folder.study(), "--fields-at", "0.2,,0.4"}, "'' is not a number"},
       {{"push", folder.study(), "--fields-at", "0.2,deep"}, "'deep' is not a number"},
-      {{"push", folder.study(), "--fields-at", "0.6"}, "must be 0 to 0.55 m, where the push ends"},
+      {{"push", folder.study(), "--fields-at", "0.6"}, "must be 0 to 0.53 m, where the push ends"},
       {{"push", folder.study(), "--track", "0.02"}, "must be R_M,DEPTH_M"},
       {{"push", folder.study(), "--track", "0.5,0.5"}, "must be 0 to 0.45 m, the wall"},
       {{"push", folder.study(), "--track", "0.02,1.5"}, "must be 0 to 1 m, the soil's bottom"},
