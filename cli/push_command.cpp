@@ -157,7 +157,7 @@ results::Table profile_table(const solver::DepthProfile& profile) {
 void write_results(const Push& push, const solver::Outcome& outcome, const Watch& watch,
                    const results::FieldSeries& fields) {
   const auto file = [&](const char* part) { return push.folder / (push.name + part); };
-  if (fields.size() > 0) fmt::print("fields at {} depths: {}\n", fields.size(), fields.file().string());
+  if (fields.size() > 0) fmt::print("fields at {} depth(s): {}\n", fields.size(), fields.file().string());
 
   results::Histories histories = watch.histories();
   histories.origin = origin_of(push, outcome);
@@ -180,8 +180,8 @@ void write_results(const Push& push, const solver::Outcome& outcome, const Watch
   results::write_csv(file("-radial.csv"),
                      results::radial_profile(watch.start(), watch.end(), push.radial_between,
                                              push.setup.penetrometer.diameter / 10.0));
-  fmt::print("void ratio by radius, {} to {} m deep: {}\n", push.radial_between.from, push.radial_between.to,
-             file("-radial.csv").string());
+  fmt::print("void ratio by radius, {:.4g} to {:.4g} m deep: {}\n", push.radial_between.from,
+             push.radial_between.to, file("-radial.csv").string());
 }
 
 int run_push(const Arguments& arguments) {

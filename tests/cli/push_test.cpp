@@ -28,7 +28,7 @@ TEST(Push, WritesFieldsHistoriesProfileAndRadialProfile) {
                         "0.1,0.3", "--radial-between", "0.0,0.3", "--out", folder.file("out")}));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   expect_has(result.out, "realization 1 of small: completed");
-  expect_has(result.out, "fields at 2 depths");
+  expect_has(result.out, "fields at 2 depth(s)");
   expect_has(result.out, "histories of 2 material points and 1 parts of the wall");
   for (const char* file : {"out/small-fields/small.pvd", "out/small-fields/small-0m.vtu",
                            "out/small-fields/small-0.023m.vtu", "out/small-histories.h5"})
