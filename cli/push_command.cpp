@@ -108,8 +108,10 @@ Push make_push(const Arguments& arguments) {
   push.realization = find_realization(push.study, arguments.id);
   push.setup = parameters::make_setup(push.study, push.realization);
   for (const std::string& setting : arguments.settings) set_quantity(push.setup, setting, "");
+  std::string problems;
   for (const solver::Problem& problem : solver::problems(push.setup))
-    throw BadInput(fmt::format("{}: {}", problem.quantity, problem.message));
+    problems += fmt::format("{}{}", problems.empty() ? "" : "\n", problem.message);
+  if (!problems.empty()) throw BadInput(problems);
 
   push.request.fields_at = field_depths(arguments, push.setup);
   for (const std::string& text : arguments.track) push.request.track.push_back(parse_place(text, push.setup));

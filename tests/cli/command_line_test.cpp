@@ -53,7 +53,7 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
       {{"rerun", folder.study(), "x"}, "ID"},
       {{"push", folder.study(), "99"}, "has no realization 99; it has 1 to 6"},
       {{"push", folder.study(), "--set", "sand.Hh=3"}, "did you mean sand.H?"},
-      {{"push", folder.study(), "--set", "initial.sigma_h0_kPa=4000"}, "initial.sigma_h0_kPa: "},
+      {{"push", folder.study(), "--set", "initial.sigma_h0_kPa=4000"}, "stress ratio"},
       {{"push", folder.study(), "--fields-at", "0.2,,0.4"}, "'' is not a number"},
       {{"push", folder.study(), "--fields-at", "0.2,deep"}, "'deep' is not a number"},
       {{"push", folder.study(), "--fields-at", "0.6"}, "must be 0 to 0.53 m, where the push ends"},
