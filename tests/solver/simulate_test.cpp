@@ -43,12 +43,11 @@ TEST_P(EveryProfile, GivesTheSameBitsForAnyNumberOfThreads) {
 
 TEST_P(EveryProfile, ConservesMassAndBalancesMomentum) {
   solver::Setup setup = short_push(GetParam());
-  setup.penetrometer.final_depth = 0.06;  // past the first impact
+  setup.penetrometer.final_depth = 0.12;  // past the first impact, which in clay rings on for 0.1 m
   const Outcome outcome = run(setup, 2);
   ASSERT_EQ(outcome.status, Status::completed) << outcome.reason;
   EXPECT_LT(outcome.audit.mass_error, 1e-12);
-  // Of the cone's impulse, itself under one per cent of the weight's that it is measured against.
-  EXPECT_LT(outcome.audit.momentum_error, 0.2);
+  EXPECT_LT(outcome.audit.momentum_error, 0.1);
   EXPECT_LT(std::abs(outcome.audit.energy_error), 0.06);
   EXPECT_EQ(outcome.audit.max_empty_cells, 0);
 }
