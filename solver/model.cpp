@@ -21,11 +21,16 @@ void for_each_index(std::int32_t count, int threads, const Function& function) {
   for (std::int32_t i = 0; i < count; ++i) function(i);
 }
 
-// Shortest distance across a sheared cell [m]: its width, and its height measured across the steeper row.
-double smallest_extent(const CellShape& s) {
+struct Extent {
+  double across;     // [m] shortest distance across the cell: its width, or its height across the steeper row
+  double unsheared;  // [m] the same with its height measured along the sides
+};
+
+Extent smallest_extent(const CellShape& s) {
   const double left = (s.zt0 - s.zt1) - (s.zb0 - s.zb1), right = (s.zt0 + s.zt1) - (s.zb0 + s.zb1);
   const double slope = std::max(std::abs(s.zb1), std::abs(s.zt1)) / s.a;
-  return std::min(2.0 * s.a, std::min(left, right) / std::sqrt(1.0 + slope * slope));
+  const double width = 2.0 * s.a, height = std::min(left, right);
+  return {std::min(width, height / std::sqrt(1.0 + slope * slope)), std::min(width, height)};
 }
 
 }  // namespace
@@ -206,17 +211,21 @@ void Model::compute_cell_forces(std::int32_t c) {
   }
 
   double p = mean_pressure_volume / cell_volume;
-  double mass = 0.0, weight = 0.0;
+  double mass = 0.0, weight = 0.0, largest_factor = INFINITY;
   for (int m = 0; m < material_count; ++m) {
+    if (sums.material_mass[m] > 0.0) largest_factor = std::min(largest_factor, settings_.face_inertia[m]);
     mass += sums.material_mass[m];
     weight += sums.material_mass[m] * settings_.weight_ratio[m] * settings_.gravity;
   }
   const double density = volume > 0.0 ? mass / volume : 0.0,
                unit_weight = volume > 0.0 ? weight / volume : 0.0;
+  double inertia = density * settings_.mass_scaling;  // [kg/m3]
   if (volume > 0.0) {
+    // Selective mass scaling (Olovsson, Simonsson & Unosson 2005) of the cells that shear makes thin.
+    const auto [extent, unsheared] = smallest_extent(s);
+    inertia *= std::min(largest_factor, unsheared * unsheared / (extent * extent));
     // Linear bulk viscosity (Landshoff 1955), as explicit codes have it against the ringing of pressure
     // waves; it follows the last step's rate of dilatation.
-    const double inertia = density * settings_.mass_scaling, extent = smallest_extent(s);
     const double wave_speed = std::sqrt(modulus_[c] / inertia), b = settings_.bulk_viscosity;
     viscous_[c] = b * inertia * wave_speed * extent * divergence_[c];
     p += viscous_[c];
@@ -226,7 +235,7 @@ void Model::compute_cell_forces(std::int32_t c) {
   for (int k = 0; k < 4; ++k) {
     out.f_r[k] = fill * (out.f_r[k] - p * out.mean_r[k]);
     out.f_z[k] = fill * (out.f_z[k] - p * out.mean_z[k] - unit_weight * integral_N[k]);
-    out.inertia[k] = fill * density * settings_.mass_scaling * integral_N[k];
+    out.inertia[k] = fill * inertia * integral_N[k];
     out.mean_r[k] /= cell_volume;
     out.mean_z[k] /= cell_volume;
   }

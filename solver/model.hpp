@@ -31,6 +31,7 @@ struct Laws {
 struct ModelSettings {
   double courant = 0.8;
   double mass_scaling = 1.0;
+  double face_inertia[material_count] = {1.0, 1.0, 1.0};  // [-] largest factor on a sheared cell's inertia
   double pic_fraction = 0.0;
   double local_damping = 0.0;
   double bulk_viscosity = 0.0;

@@ -256,10 +256,15 @@ std::vector<Quantity> numerics_quantities() {
                                             "shift of the grid of material points over their spacing",
                                             numerical),
       number<group, &Numerics::courant>("numerics.courant", "Co", none, 0.05, 0.98, any_soil,
-                                        "Courant number",
-                                        "stable at 0.8; 0.95 in Yost et al. (2023), section 4.1"),
+                                        "Courant number", "0.95 in Yost et al. (2023), section 4.1"),
       number<group, &Numerics::mass_scaling>("numerics.mass_scaling", "f_mass", none, 1.0, 1.0e6, any_soil,
                                              "factor on the inertia, not on the weight", paper_model),
+      number<group, &Numerics::face_inertia_sand>(
+          "numerics.face_inertia_sand", "f_face,sand", none, 1.0, 16.0, Soil::sand,
+          "largest factor on the inertia of the sheared cells under the cone's face, sand", numerical),
+      number<group, &Numerics::face_inertia_clay>(
+          "numerics.face_inertia_clay", "f_face,clay", none, 1.0, 16.0, Soil::clay,
+          "largest factor on the inertia of the sheared cells under the cone's face, clay", numerical),
       number<group, &Numerics::pic_fraction>("numerics.pic_fraction", "PIC", none, 0.0, 1.0, any_soil,
                                              "share of PIC in the velocity update; 0 is FLIP", numerical),
       number<group, &Numerics::local_damping>("numerics.local_damping", "α_damp", none, 0.0, 0.9, any_soil,

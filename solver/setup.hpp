@@ -108,8 +108,13 @@ struct Numerics {
   double point_shift = 0.0;     // [-] shift of the point grid, fraction of the spacing, in [-0.5, 0.5]
   double courant = 0.95;        // [-]
   double mass_scaling = 1.0e4;  // [-] on inertia only
-  double pic_fraction = 0.0;    // [-] 0 = FLIP, 1 = PIC
-  double local_damping = 0.0;   // [-] fraction of the out-of-balance force
+  // Sheared cells under the cone's face are half as high across as the others and would halve the time step
+  // of all: their inertia grows with the square of that ratio, at most by this factor [-], 1 = none. Not in
+  // clay, where q_c follows the inertia.
+  double face_inertia_sand = 3.0;
+  double face_inertia_clay = 1.0;
+  double pic_fraction = 0.0;   // [-] 0 = FLIP, 1 = PIC
+  double local_damping = 0.0;  // [-] fraction of the out-of-balance force
   double bulk_viscosity =
       0.0;  // [-] b: linear bulk viscosity, a pressure of b rho c h times the rate of dilatation
   // Share of the quadrant's average stress given back to its points each step [-]. Not in sand: NorSand's

@@ -38,6 +38,8 @@ ModelSettings make_settings(const Setup& setup, int threads) {
   ModelSettings s;
   s.courant = setup.numerics.courant;
   s.mass_scaling = setup.numerics.mass_scaling;
+  s.face_inertia[static_cast<int>(Material::sand)] = setup.numerics.face_inertia_sand;
+  s.face_inertia[static_cast<int>(Material::clay)] = setup.numerics.face_inertia_clay;
   s.pic_fraction = setup.numerics.pic_fraction;
   s.local_damping = setup.numerics.local_damping;
   s.bulk_viscosity = setup.numerics.bulk_viscosity;
@@ -162,7 +164,7 @@ std::string_view to_string(Status status) {
   return "unknown";
 }
 
-std::string_view solver_version() { return "0.3"; }
+std::string_view solver_version() { return "0.4"; }
 
 Outcome simulate(const Setup& setup, Observer& observer, const Execution& execution) {
   const std::vector<Problem> found = problems(setup);
