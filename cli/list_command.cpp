@@ -8,6 +8,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/format_option.hpp"
 #include "results/query.hpp"
+#include "solver/mechanisms/catalogue.hpp"
 #include "solver/presets.hpp"
 #include "solver/quantities.hpp"
 #include "solver/simulate.hpp"
@@ -38,6 +39,30 @@ Table quantities(Format format) {
     if (!all) continue;
     row.emplace_back(std::string(quantity.symbol));
     row.emplace_back(std::string(quantity.source));
+  }
+  return table;
+}
+
+Table mechanisms(Format format) {
+  Table table{{"mechanism", "what it is", "quantity", "unit", "prior range", "signature in q_c"}, {}};
+  const bool all = format != Format::table;
+  if (all) table.columns.insert(table.columns.end(), {"equation", "source"});
+  for (const solver::Mechanism& mechanism : solver::all_mechanisms()) {
+    bool first = true;
+    for (const solver::MechanismParameter& parameter : mechanism.parameters) {
+      const bool told = all || first;  // on a terminal, once for each mechanism
+      auto& row = table.rows.emplace_back();
+      row.emplace_back(std::string(told ? mechanism.name : ""));
+      row.emplace_back(std::string(told ? mechanism.title : ""));
+      row.emplace_back(std::string(parameter.quantity.name));
+      row.emplace_back(std::string(parameter.quantity.unit));
+      row.emplace_back(fmt::format("{} to {}", parameter.prior_lower, parameter.prior_upper));
+      row.emplace_back(std::string(told ? mechanism.signature : ""));
+      first = false;
+      if (!all) continue;
+      row.emplace_back(std::string(mechanism.equation));
+      row.emplace_back(std::string(mechanism.source));
+    }
   }
   return table;
 }
@@ -98,6 +123,7 @@ struct Listing {
 constexpr Listing listings[] = {
     {"quantities", "everything a study can set or vary; csv and json also give symbol and source",
      quantities},
+    {"mechanisms", "physical effects that can be switched on and that a diagnosis looks for", mechanisms},
     {"profiles", "soil profiles a study can start from", profiles},
     {"presets", "resolutions of the model", presets},
     {"queries", "what campaign query answers", queries},

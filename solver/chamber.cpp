@@ -6,15 +6,24 @@
 
 namespace cpt::solver {
 
-ChamberBoundary::ChamberBoundary(const Setup& setup, const Mesh&)
-    : setup_(setup), flexible_(setup.chamber.wall == Wall::flexible) {}
+ChamberBoundary::ChamberBoundary(const Setup& setup, const Mesh& mesh, const LeftBehind& left)
+    : setup_(setup),
+      left_(left),
+      free_wall_(setup.chamber.wall == Wall::flexible || setup.mechanisms.compliant_wall.on()),
+      friction_(setup.mechanisms.wall_friction.on()),
+      displacement_(setup.chamber.soil_height) {
+  z_.reserve(mesh.wall_nodes().size());
+  v_r_.reserve(mesh.wall_nodes().size());
+}
 
-// The soil's side keeps the radial stress that it had at the start; the surcharge's side stays rigid.
-void ChamberBoundary::apply_wall_stress(Model& model) const {
-  if (!flexible_) return;
+// The soil's side has the radial stress of its start, and more where a compliant wall resists; the
+// surcharge's side stays rigid.
+void ChamberBoundary::apply_wall_stress(Model& model) {
+  wall_force_ = 0.0;
+  if (!free_wall_ && !friction_) return;
+  const CompliantWall& compliant = setup_.mechanisms.compliant_wall;
   const Mesh& mesh = model.mesh();
   const std::vector<std::int32_t>& wall = mesh.wall_nodes();
-  const double K_0 = setup_.initial.sigma_h0 / setup_.initial.sigma_v0;
   const double R = setup_.chamber.radius;
   for (std::size_t k = 0; k + 1 < wall.size(); ++k) {
     const double z0 = mesh.node_z(wall[k]), z1 = std::min(mesh.node_z(wall[k + 1]), 0.0);
@@ -23,25 +32,48 @@ void ChamberBoundary::apply_wall_stress(Model& model) const {
     const double edge = mesh.node_z(wall[k + 1]) - z0;
     for (const double g : {0.21132486540518713, 0.78867513459481287}) {
       const double z = z0 + g * (z1 - z0), N1 = (z - z0) / edge;
-      const double force = K_0 * vertical_stress(setup_, z) * R * (z1 - z0) / 2.0;
-      model.nodes().f_r[wall[k]] -= (1.0 - N1) * force;
-      model.nodes().f_r[wall[k + 1]] -= N1 * force;
+      if (free_wall_) {
+        double stress = horizontal_stress(setup_, left_, z);
+        if (compliant.on()) stress += compliant.stress(displacement_.at(z));
+        const double force = stress * R * (z1 - z0) / 2.0;
+        model.nodes().f_r[wall[k]] -= (1.0 - N1) * force;
+        model.nodes().f_r[wall[k + 1]] -= N1 * force;
+      }
+      if (friction_) {
+        const double force = wall_shear(setup_, left_, z) * R * (z1 - z0) / 2.0;
+        model.nodes().f_z[wall[k]] += (1.0 - N1) * force;
+        model.nodes().f_z[wall[k + 1]] += N1 * force;
+        wall_force_ += force;
+      }
     }
   }
 }
 
-double ChamberBoundary::fix_boundaries(Model& model) const {
+double ChamberBoundary::fix_boundaries(Model& model, double dt) {
   const Mesh& mesh = model.mesh();
   const Nodes& nodes = model.nodes();
   for (const std::int32_t n : mesh.axis_nodes()) model.set_velocity(n, 0.0, nodes.v_z[n]);
   for (const std::int32_t n : mesh.wall_nodes())
-    if (!flexible_ || mesh.node_z(n) > 1e-9) model.set_velocity(n, 0.0, nodes.v_z[n]);
-  double impulse = 0.0;
+    if (!free_wall_ || mesh.node_z(n) > 1e-9) model.set_velocity(n, 0.0, nodes.v_z[n]);
+  double impulse = wall_force_ * dt;
   for (const std::int32_t n : mesh.bottom_nodes()) {
     impulse -= nodes.inertia[n] * nodes.v_z[n];
     model.set_velocity(n, nodes.v_r[n], 0.0);
   }
+  if (setup_.mechanisms.compliant_wall.on()) follow_wall(model, dt);
   return impulse;
+}
+
+void ChamberBoundary::follow_wall(const Model& model, double dt) {
+  z_.clear();
+  v_r_.clear();
+  for (const std::int32_t n : model.mesh().wall_nodes()) {
+    const double z = model.mesh().node_z(n);
+    if (z > 1e-9) break;
+    z_.push_back(z);
+    v_r_.push_back(model.nodes().v_r[n]);
+  }
+  displacement_.add(z_, v_r_, dt);
 }
 
 }  // namespace cpt::solver

@@ -1,4 +1,4 @@
-// The chamber's boundaries: smooth axis, smooth bottom, rigid or flexible wall.
+// The chamber's boundaries: smooth axis and bottom; a wall that is rigid, holds its stress, or gives way.
 #pragma once
 
 #include <vector>
@@ -10,17 +10,24 @@ namespace cpt::solver {
 
 class ChamberBoundary {
  public:
-  ChamberBoundary(const Setup& setup, const Mesh& mesh);
+  ChamberBoundary(const Setup& setup, const Mesh& mesh, const LeftBehind& left = {});
 
-  /// Adds the constant radial stress of a flexible wall to the nodal forces. Before `accelerate`.
-  void apply_wall_stress(Model& model) const;
-  /// Fixes axis and wall in r, and the bottom in z. After `accelerate`. Returns the vertical impulse of the
-  /// bottom on the soil [N s/rad].
-  double fix_boundaries(Model& model) const;
+  /// Adds the stress of a wall that is not rigid, and the friction on it, to the nodal forces. Before
+  /// `accelerate`.
+  void apply_wall_stress(Model& model);
+  /// Fixes axis and rigid wall in r, and the bottom in z. After `accelerate`. Returns the vertical impulse of
+  /// bottom and wall on the soil [N s/rad].
+  double fix_boundaries(Model& model, double dt);
 
  private:
+  void follow_wall(const Model& model, double dt);
+
   const Setup& setup_;
-  bool flexible_;
+  LeftBehind left_;
+  bool free_wall_, friction_;
+  double wall_force_ = 0.0;  // [N/rad] upward, of this step
+  WallDisplacement displacement_;
+  std::vector<double> z_, v_r_;  // of the wall's nodes in the soil
 };
 
 }  // namespace cpt::solver

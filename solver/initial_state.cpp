@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/constitutive/varying_tresca.hpp"
+
 namespace cpt::solver {
 namespace {
 
@@ -17,9 +19,20 @@ double effective_ratio(SelfWeight kind, double rho) {
   }
 }
 
-Soil soil_at(const Setup& setup, double depth) {
-  for (const Layer& layer : setup.layers)
-    if (depth < layer.bottom) return layer.soil;
+double K_0(const Setup& setup) { return setup.initial.sigma_h0 / setup.initial.sigma_v0; }
+
+Soil soil_at(const Setup& setup, double depth, std::uint64_t id) {
+  const InterfaceMixing& mixing = setup.mechanisms.interface_mixing;
+  for (std::size_t k = 0; k < setup.layers.size(); ++k) {
+    const Layer& layer = setup.layers[k];
+    if (depth >= layer.bottom) continue;
+    if (!mixing.on()) return layer.soil;
+    const bool last = k + 1 == setup.layers.size();
+    const double below_top = depth - layer.top, above_bottom = layer.bottom - depth;
+    if (k > 0 && below_top < above_bottom)
+      return mixing.upper_soil(below_top, id) ? setup.layers[k - 1].soil : layer.soil;
+    return last || mixing.upper_soil(-above_bottom, id) ? layer.soil : setup.layers[k + 1].soil;
+  }
   return setup.layers.back().soil;
 }
 
@@ -64,16 +77,37 @@ double vertical_stress(const Setup& setup, double z) {
   for (const Layer& layer : setup.layers) {
     const Bulk b = bulk(setup, layer.soil);
     const double thickness = std::min(-z, layer.bottom) - layer.top;
-    if (thickness > 0.0) stress += b.rho * b.weight_ratio * gravity * thickness;
+    if (thickness <= 0.0) continue;
+    const double weight = b.rho * b.weight_ratio * gravity;
+    stress =
+        setup.mechanisms.wall_friction.below(stress, weight, thickness, K_0(setup), setup.chamber.radius);
   }
   return stress;
 }
 
-InitialState initial_state(const Setup& setup, const NorSand* sand) {
+double horizontal_stress(const Setup& setup, const LeftBehind& left, double z) {
+  const double sigma_h = K_0(setup) * vertical_stress(setup, z);
+  return z < 0.0 ? sigma_h * left.sigma_h(-z) : sigma_h;
+}
+
+double wall_shear(const Setup& setup, const LeftBehind& left, double z) {
+  return z < 0.0 ? setup.mechanisms.wall_friction.coefficient * horizontal_stress(setup, left, z) : 0.0;
+}
+
+double sand_void_ratio(const Setup& setup, const LeftBehind& left, double depth) {
+  const Sand& sand = setup.sand;
+  const double e = bulk(setup, Soil::sand).e;
+  const double denser =
+      setup.mechanisms.surface_compaction.at(depth) + setup.mechanisms.density_lens.at(depth);
+  const double change = left.void_ratio(depth) - denser * (sand.e_max - sand.e_min);
+  return change == 0.0 ? e : std::clamp(e + change, std::min(e, sand.e_min), std::max(e, sand.e_max));
+}
+
+InitialState initial_state(const Setup& setup, const NorSand* sand, const LeftBehind& left) {
   InitialState state;
   const double R_cone = setup.penetrometer.diameter / 2.0;
   const double slope = 1.0 / std::tan(setup.penetrometer.apex / 2.0);
-  const double K_0 = setup.initial.sigma_h0 / setup.initial.sigma_v0;
+  const bool varying = strength_varies(setup.mechanisms);
   const bool layer = setup.chamber.surcharge == SurchargeKind::layer;
   const double top = layer ? setup.chamber.surcharge_height : 0.0, bottom = -setup.chamber.soil_height;
   const double shift = setup.numerics.point_shift;
@@ -91,17 +125,20 @@ InitialState initial_state(const Setup& setup, const NorSand* sand) {
         if (r < R_cone && z > (r - R_cone) * slope) continue;  // inside the penetrometer
 
         const bool in_surcharge = z > 0.0;
-        const Soil soil = in_surcharge ? Soil::sand : soil_at(setup, -z);
+        const Soil soil = in_surcharge ? Soil::sand : soil_at(setup, -z, static_cast<std::uint64_t>(id));
         const Bulk b = bulk(setup, soil);
-        const double sigma_v = vertical_stress(setup, z), sigma_h = K_0 * sigma_v;
+        const bool is_sand = !in_surcharge && soil == Soil::sand, is_clay = soil == Soil::clay;
+        const double e = is_sand ? sand_void_ratio(setup, left, -z) : b.e;
+        const double sigma_v = vertical_stress(setup, z), sigma_h = horizontal_stress(setup, left, z);
+        const double s_rz = wall_shear(setup, left, z) * r / setup.chamber.radius;
         const double volume = r * dr * dz;
         const double rho = in_surcharge ? surcharge_density(setup) : b.rho;
         const bool loaded = !layer && j == rows - 1;
-        const double p_i = !in_surcharge && soil == Soil::sand && sand
-                               ? sand->initial_image_pressure(-sigma_h, -sigma_v, -sigma_h, 0.0, b.e)
-                               : 0.0;
-        state.points.push_back({{r, z, 0.0, 0.0, -sigma_h, -sigma_v, -sigma_h, 0.0, rho * volume, volume, b.e,
-                                 p_i, 0.0, 0.0, loaded ? setup.initial.sigma_v0 * r * dr : 0.0, id}});
+        double p_i = 0.0;
+        if (is_sand && sand) p_i = sand->initial_image_pressure(-sigma_h, -sigma_v, -sigma_h, s_rz, e);
+        if (is_clay && varying) p_i = strength_at(setup.clay, setup.mechanisms, -z);
+        state.points.push_back({{r, z, 0.0, 0.0, -sigma_h, -sigma_v, -sigma_h, s_rz, rho * volume, volume, e,
+                                 p_i, 0.0, 0.0, loaded ? setup.initial.sigma_v0 * r * dr : 0.0, id, 0.0}});
         const Material material = in_surcharge         ? Material::surcharge
                                   : soil == Soil::sand ? Material::sand
                                                        : Material::clay;

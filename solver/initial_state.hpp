@@ -25,8 +25,15 @@ struct Bulk {
 [[nodiscard]] double surcharge_density(const Setup& setup);
 
 /// Vertical effective stress [Pa], compression-positive, at height z above the soil's top (negative below
-/// it).
+/// it), less what wall friction takes.
 [[nodiscard]] double vertical_stress(const Setup& setup, double z);
+/// Horizontal effective stress [Pa], compression-positive: K_0 times the vertical one, changed by an earlier
+/// push.
+[[nodiscard]] double horizontal_stress(const Setup& setup, const LeftBehind& left, double z);
+/// Shear stress of the soil on the wall [Pa] at height z, downward positive; 0 without wall friction.
+[[nodiscard]] double wall_shear(const Setup& setup, const LeftBehind& left, double z);
+/// Void ratio of the sand [-] at a depth [m], mechanisms included; between e_min and e_max where they act.
+[[nodiscard]] double sand_void_ratio(const Setup& setup, const LeftBehind& left, double depth);
 
 struct InitialState {
   std::vector<Point> points;
@@ -34,6 +41,7 @@ struct InitialState {
 };
 
 /// Points on the grids of the radial zones, but for those inside the penetrometer.
-[[nodiscard]] InitialState initial_state(const Setup& setup, const NorSand* sand);
+[[nodiscard]] InitialState initial_state(const Setup& setup, const NorSand* sand,
+                                         const LeftBehind& left = {});
 
 }  // namespace cpt::solver

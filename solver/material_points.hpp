@@ -32,11 +32,12 @@ struct PointFields {
   double* mass;    // [kg/rad]
   double* volume;  // [m3/rad]
   double* e;       // [-] void ratio
-  double* p_i;     // [Pa] image pressure of NorSand
+  double* p_i;     // [Pa] image pressure of sand, undrained strength of clay that has its own (else 0)
   double* xi;      // [-] natural coordinates in the cell
   double* eta;
-  double* load;  // [N/rad] share of a traction at the soil's top, downward
-  double* id;    // whole number that follows the point for ever
+  double* load;     // [N/rad] share of a traction at the soil's top, downward
+  double* id;       // whole number that follows the point for ever
+  double* gamma_p;  // [-] accumulated plastic shear strain of clay that softens
 };
 inline constexpr std::int32_t field_count = sizeof(PointFields) / sizeof(double*);
 
@@ -64,7 +65,7 @@ class MaterialPoints {
   /// Starts to load a bucket's state into the cache.
   static void prefetch(const Bucket& bucket) {
     const std::ptrdiff_t used =
-        static_cast<std::ptrdiff_t>(bucket.capacity) * (field_count - 2);  // all but load, id
+        static_cast<std::ptrdiff_t>(bucket.capacity) * (field_count - 3);  // all but load, id, gamma_p
     for (std::ptrdiff_t k = 0; k < used; k += 8) __builtin_prefetch(bucket.data + k, 1);
   }
   [[nodiscard]] std::int64_t size() const { return size_; }

@@ -40,7 +40,7 @@ double Laws::update(Material material, const Batch& batch) const {
     case Material::sand:
       return sand->update(batch);
     case Material::clay:
-      return clay->update(batch);
+      return varying_clay ? varying_clay->update(batch) : clay->update(batch);
     default:
       return surcharge->update(batch);
   }
@@ -122,8 +122,8 @@ void Model::sum_all_points() {
       const Bucket& bucket = points_.bucket(cell * material_count + m);
       if (bucket.count == 0) continue;
       const PointFields p = points_.fields(bucket);
-      const Batch batch{bucket.padded(), p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,     p.e,
-                        p.p_i,           strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz};
+      const Batch batch{bucket.padded(), p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,      p.e,
+                        p.p_i,           strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz, p.gamma_p};
       modulus_[c] = std::max(modulus_[c], laws_.update(static_cast<Material>(m), batch));
       for (std::int32_t k = 0; k < bucket.count; ++k) {
         const Location at = mesh_.locate(p.r[k], p.z[k]);
@@ -379,8 +379,8 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
     double work = kernels_.move_points(bucket.count, padded, p, motion, strain);
     // The next cell's points arrive while the law computes.
     if (b + material_count < points_.bucket_count()) points_.prefetch(points_.bucket(b + material_count));
-    const Batch batch{padded, p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,     p.e,
-                      p.p_i,  strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz};
+    const Batch batch{padded,      p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,    p.e, p.p_i,
+                      strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz, p.gamma_p, dt};
     modulus_[c] = std::max(modulus_[c], laws_.update(static_cast<Material>(m), batch));
     std::int32_t left = 0;
     work += kernels_.sum_points(bucket.count, padded, p, new_shape, cell, strain, static_cast<Material>(m),

@@ -11,6 +11,7 @@
 #include "solver/constitutive/linear_elastic.hpp"
 #include "solver/constitutive/norsand.hpp"
 #include "solver/constitutive/tresca.hpp"
+#include "solver/constitutive/varying_tresca.hpp"
 #include "solver/material_points.hpp"
 #include "solver/mesh.hpp"
 #include "solver/transfer.hpp"
@@ -21,6 +22,7 @@ namespace cpt::solver {
 struct Laws {
   std::optional<NorSand> sand;
   std::optional<Tresca> clay;
+  std::optional<VaryingTresca> varying_clay;  // takes the place of `clay` where it is set
   std::optional<LinearElastic> surcharge;
 
   /// Updates a bucket and returns its largest P-wave modulus [Pa].

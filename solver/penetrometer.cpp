@@ -22,7 +22,7 @@ ContactImpulse resolve_contact(const ContactNode& node, double inertia, double v
   return {inertia * (new_r - v_r), inertia * (new_z - v_z), J_t * kept * slip, new_r, new_z};
 }
 
-PenetrometerContact::PenetrometerContact(const Setup& setup, const Mesh&) : setup_(setup) {
+PenetrometerContact::PenetrometerContact(const Setup& setup) : setup_(setup) {
   of_material_[static_cast<int>(Material::sand)] = {
       std::tan(setup.contact.friction_ratio * setup.sand.phi_cs), 0.0};
   of_material_[static_cast<int>(Material::clay)] = {0.0, setup.contact.adhesion_ratio * setup.clay.s_u};

@@ -42,7 +42,7 @@ struct PenetrometerLoad {
 
 class PenetrometerContact {
  public:
-  PenetrometerContact(const Setup& setup, const Mesh& mesh);
+  explicit PenetrometerContact(const Setup& setup);
 
   /// Applies contact to the nodes after `accelerate`.
   PenetrometerLoad apply_contact(Model& model, double dt) const;

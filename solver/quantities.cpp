@@ -5,82 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
-#include <type_traits>
+
+#include "solver/mechanisms/catalogue.hpp"
+#include "solver/quantity_builders.hpp"
 
 namespace cpt::solver {
 namespace {
-
-struct Unit {
-  std::string_view text;
-  double scale;
-};
-constexpr Unit none{"-", 1.0};
-constexpr Unit percent{"%", 0.01};
-constexpr Unit degrees{"deg", std::numbers::pi / 180.0};
-constexpr Unit kilopascals{"kPa", 1.0e3};
-constexpr Unit metres{"m", 1.0};
-constexpr Unit metres_per_second{"m/s", 1.0};
-constexpr Unit kilograms_per_cubic_metre{"kg/m3", 1.0};
-
-constexpr std::optional<Soil> sand_only = Soil::sand;
-constexpr std::optional<Soil> clay_only = Soil::clay;
-constexpr std::optional<Soil> any_soil = std::nullopt;
-
-template <class Group, class Field>
-Field field_type(Field Group::*);
-
-template <auto Group, auto Member>
-double get_field(const Setup& setup) {
-  return static_cast<double>(setup.*Group.*Member);
-}
-
-template <auto Group, auto Member>
-void set_field(Setup& setup, double value) {
-  using Field = decltype(field_type(Member));
-  if constexpr (std::is_same_v<Field, double>)
-    setup.*Group.*Member = value;
-  else
-    setup.*Group.*Member = static_cast<Field>(std::lround(value));
-}
-
-template <auto Group, auto Member>
-Quantity number(std::string_view name, std::string_view symbol, Unit unit, double min, double max,
-                std::optional<Soil> soil, std::string_view meaning, std::string_view source) {
-  constexpr bool integer = std::is_integral_v<decltype(field_type(Member))>;
-  return {name,
-          symbol,
-          unit.text,
-          unit.scale,
-          min,
-          max,
-          {},
-          integer,
-          soil,
-          meaning,
-          source,
-          get_field<Group, Member>,
-          set_field<Group, Member>};
-}
-
-template <auto Group, auto Member>
-Quantity choice(std::string_view name, std::string_view symbol, std::vector<std::string_view> choices,
-                std::optional<Soil> soil, std::string_view meaning, std::string_view source) {
-  const double last = static_cast<double>(choices.size() - 1);
-  return {name,
-          symbol,
-          none.text,
-          none.scale,
-          0.0,
-          last,
-          std::move(choices),
-          false,
-          soil,
-          meaning,
-          source,
-          get_field<Group, Member>,
-          set_field<Group, Member>};
-}
 
 // The last layer follows the height of the soil, so that a homogeneous profile stays one layer.
 void set_soil_height(Setup& setup, double value) {
@@ -289,6 +219,8 @@ std::vector<Quantity> make_list() {
   for (auto part :
        {sand_quantities, clay_quantities, boundary_quantities, penetrometer_quantities, numerics_quantities})
     for (Quantity& quantity : part()) list.push_back(std::move(quantity));
+  for (const Mechanism& mechanism : all_mechanisms())
+    for (const MechanismParameter& parameter : mechanism.parameters) list.push_back(parameter.quantity);
   return list;
 }
 
@@ -327,9 +259,12 @@ std::string Quantity::format(double study_value) const {
 }
 
 std::string canonical_text(const Setup& setup) {
+  static const Setup defaults;
   std::string text;
   for (const Quantity& quantity : all_quantities()) {
     const double value = quantity.value(setup);
+    // A mechanism that is off leaves no trace: results stay valid when the catalogue grows.
+    if (is_mechanism_parameter(quantity.name) && quantity.get(setup) == quantity.get(defaults)) continue;
     text += fmt::format("{} = {}", quantity.name, quantity.format(value));
     const double si = quantity.get(setup);
     if (value * quantity.scale != si)

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/mechanisms/mechanisms.hpp"
+
 namespace cpt::solver {
 
 enum class Soil : std::uint8_t { sand, clay };                ///< NorSand, Tresca
@@ -133,6 +135,7 @@ struct Setup {
   InitialStress initial;
   Penetrometer penetrometer;
   Numerics numerics;
+  Mechanisms mechanisms;
 };
 
 /// True where some layer is of that soil.

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <exception>
 
+#include "solver/actual_setup.hpp"
 #include "solver/audit.hpp"
 #include "solver/chamber.hpp"
+#include "solver/first_push.hpp"
 #include "solver/initial_state.hpp"
 #include "solver/model.hpp"
 #include "solver/penetrometer.hpp"
@@ -28,8 +30,11 @@ double seconds_since(Clock::time_point start) {
 
 Laws make_laws(const Setup& setup) {
   Laws laws;
-  if (contains(setup, Soil::sand)) laws.sand.emplace(setup.sand);
+  const Mechanisms& mechanisms = setup.mechanisms;
+  if (contains(setup, Soil::sand)) laws.sand.emplace(setup.sand, mechanisms.grain_crushing);
   if (contains(setup, Soil::clay)) laws.clay.emplace(setup.clay);
+  if (strength_varies(mechanisms))
+    laws.varying_clay.emplace(setup.clay, mechanisms.strain_softening, mechanisms.rate_dependence);
   laws.surcharge.emplace(setup.chamber.surcharge_E, setup.chamber.surcharge_nu);
   return laws;
 }
@@ -54,9 +59,9 @@ ModelSettings make_settings(const Setup& setup, int threads) {
   return s;
 }
 
-Model make_model(const Setup& setup, int threads) {
+Model make_model(const Setup& setup, const LeftBehind& left, int threads) {
   Laws laws = make_laws(setup);
-  const InitialState start = initial_state(setup, laws.sand ? &*laws.sand : nullptr);
+  const InitialState start = initial_state(setup, laws.sand ? &*laws.sand : nullptr, left);
   return Model(Mesh(chamber_layout(setup)), start.points, start.material, std::move(laws),
                make_settings(setup, threads));
 }
@@ -71,12 +76,14 @@ Outcome invalid(const std::vector<Problem>& found) {
   return outcome;
 }
 
-Outcome push(const Setup& setup, Observer& observer, const Execution& execution) {
+// One push into the soil of `setup` as `left` changed it; q_c is the force over `nominal_area` [m2].
+Outcome push(const Setup& setup, const LeftBehind& left, double nominal_area, Observer& observer,
+             const Execution& execution) {
   const Clock::time_point start = Clock::now();
-  Model model = make_model(setup, execution.threads);
-  const ChamberBoundary chamber(setup, model.mesh());
-  const PenetrometerContact penetrometer(setup, model.mesh());
-  Recorder recorder(setup.numerics.bin_height, setup.penetrometer.final_depth, penetrometer.projected_area());
+  Model model = make_model(setup, left, execution.threads);
+  ChamberBoundary chamber(setup, model.mesh(), left);
+  const PenetrometerContact penetrometer(setup);
+  Recorder recorder(setup.numerics.bin_height, setup.penetrometer.final_depth, nominal_area);
   Auditor auditor(model);
 
   Outcome outcome;
@@ -104,7 +111,7 @@ Outcome push(const Setup& setup, Observer& observer, const Execution& execution)
       break;
     }
     model.accelerate(dt);
-    const double bottom_impulse = chamber.fix_boundaries(model);
+    const double bottom_impulse = chamber.fix_boundaries(model, dt);
     const PenetrometerLoad load = penetrometer.apply_contact(model, dt);
     model.mesh().move_tip_to(depth + speed * dt);
     model.move_points(dt);
@@ -132,6 +139,8 @@ Outcome push(const Setup& setup, Observer& observer, const Execution& execution)
   }
 
   outcome.profile = recorder.profile();
+  if (const double shift = setup.mechanisms.depth_datum.shift; shift != 0.0)
+    for (double& at : outcome.profile.depth) at += shift;
   outcome.audit = auditor.summary(model);
   for (const double q_c : outcome.profile.q_c)
     if (!std::isfinite(q_c) && outcome.status == Status::completed) {
@@ -167,10 +176,29 @@ std::string_view to_string(Status status) {
 std::string_view solver_version() { return "0.4"; }
 
 Outcome simulate(const Setup& setup, Observer& observer, const Execution& execution) {
-  const std::vector<Problem> found = problems(setup);
+  std::vector<Problem> found = problems(setup);
   if (!found.empty()) return invalid(found);
+  Setup actual = actual_setup(setup);
+  found = problems(actual);
+  if (!found.empty()) return invalid(found);
+  const double nominal_area = PenetrometerContact(setup).projected_area();
   try {
-    return push(setup, observer, execution);
+    LeftBehind left;
+    double first_seconds = 0.0;
+    if (actual.mechanisms.previous_push.on()) {
+      FirstPush first(actual, observer);
+      const Outcome outcome = push(first.setup(), {}, nominal_area, first, execution);
+      if (outcome.status != Status::completed) return outcome;
+      left = first.left_behind();
+      first_seconds = outcome.wall_seconds;
+      actual.initial.sigma_v0 *= left.sigma_v_ratio;
+      actual.initial.sigma_h0 *= left.sigma_v_ratio;
+    }
+    Execution rest = execution;
+    rest.wall_limit_seconds -= first_seconds;
+    Outcome outcome = push(actual, left, nominal_area, observer, rest);
+    outcome.wall_seconds += first_seconds;
+    return outcome;
   } catch (const std::exception& error) {
     Outcome outcome;
     outcome.status = Status::did_not_converge;

@@ -15,11 +15,13 @@ struct Batch {
   double* s_tt;
   double* s_rz;
   double* e;           // [-] void ratio
-  double* p_i;         // [Pa] image pressure (sand; untouched by other laws)
+  double* p_i;         // [Pa] image pressure (sand), strength of the point (clay with one of its own)
   const double* d_rr;  // [-] strain increment of the step, tension-positive
   const double* d_zz;
   const double* d_tt;
   const double* d_rz;
+  double* gamma_p = nullptr;  // [-] accumulated plastic shear strain (clay with a strength of its own)
+  double dt = 0.0;            // [s] duration of the step; 0 for none
 };
 
 inline constexpr std::size_t batch_width = 8;

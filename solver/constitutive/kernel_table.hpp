@@ -25,7 +25,7 @@ namespace cpt::solver::CPT_KERNEL_NAMESPACE {
   const Powers w = powers_at(c, p, y.p_i);
   Flow f;
   flow_at(c, y, w, Deviator{}, none(), f);
-  const Image image = image_at(c, w.slope, y.e), at_p = image_at(c, powers_at(c, p, p).slope, y.e);
+  const Image image = image_at(c, w, y.e), at_p = image_at(c, powers_at(c, p, p), y.e);
   const Pack q = f.eta * f.p;
   return {y.p[0],
           q[0],

@@ -19,6 +19,15 @@ struct TrescaConstants {
   double s_u;  // [Pa] undrained shear strength
 };
 
+/// Tresca with a strength of its own at every point, by strain and rate.
+struct VaryingTrescaConstants {
+  ElasticConstants elastic;
+  double loss;                    // [-] share of the strength lost when fully remoulded
+  double inverse_xi_95;           // [-] over the plastic shear strain at which 95 % of it is lost
+  double mu;                      // [-] rise of strength per tenfold rate
+  double inverse_reference_rate;  // [s]
+};
+
 /// Symmetric stress of the axisymmetric components [Pa], tension-positive.
 struct PointStress {
   double rr, zz, tt, rz;
@@ -29,6 +38,7 @@ struct ConstitutiveKernels {
   double (*update_norsand)(const NorSandConstants&, const Batch&);
   NorSandState (*evaluate_norsand)(const NorSandConstants&, const PointStress&, double e, double p_i);
   void (*update_tresca)(const TrescaConstants&, const Batch&);
+  void (*update_varying_tresca)(const VaryingTrescaConstants&, const Batch&);
   void (*update_linear_elastic)(const ElasticConstants&, const Batch&);
 };
 

@@ -10,6 +10,6 @@
 namespace cpt::solver {
 const ConstitutiveKernels constitutive_kernels_avx2 = {
     kernels_for_avx2::update_norsand, kernels_for_avx2::evaluate_norsand, kernels_for_avx2::update_tresca,
-    kernels_for_avx2::update_linear_elastic};
+    kernels_for_avx2::update_varying_tresca, kernels_for_avx2::update_linear_elastic};
 }  // namespace cpt::solver
 #endif

@@ -10,6 +10,7 @@
 namespace cpt::solver {
 const ConstitutiveKernels constitutive_kernels_avx512 = {
     kernels_for_avx512::update_norsand, kernels_for_avx512::evaluate_norsand,
-    kernels_for_avx512::update_tresca, kernels_for_avx512::update_linear_elastic};
+    kernels_for_avx512::update_tresca, kernels_for_avx512::update_varying_tresca,
+    kernels_for_avx512::update_linear_elastic};
 }  // namespace cpt::solver
 #endif

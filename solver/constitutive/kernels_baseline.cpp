@@ -6,5 +6,6 @@
 namespace cpt::solver {
 const ConstitutiveKernels constitutive_kernels_baseline = {
     kernels_for_baseline::update_norsand, kernels_for_baseline::evaluate_norsand,
-    kernels_for_baseline::update_tresca, kernels_for_baseline::update_linear_elastic};
+    kernels_for_baseline::update_tresca, kernels_for_baseline::update_varying_tresca,
+    kernels_for_baseline::update_linear_elastic};
 }  // namespace cpt::solver

@@ -21,11 +21,13 @@ void set_binomial(double exponent, double (&coefficient)[8]) {
   for (int k = 1; k < 8; ++k) coefficient[k] = coefficient[k - 1] * (exponent - (k - 1)) / k;
 }
 
-NorSandConstants derive(const Sand& sand) {
+NorSandConstants derive(const Sand& sand, const GrainCrushing& crushing) {
   NorSandConstants c{};
   c.e_cs0 = sand.e_cs0;
   c.lambda = sand.lambda;
   c.m = sand.m;
+  c.crushing = crushing.slope;
+  c.log_p_crush = std::log(crushing.pressure);
   c.log_p_a = std::log(reference_pressure);
   c.G_scale = sand.G_ref * reference_pressure;
   // The elastic path in closed form has a removable singularity at b = 1.
@@ -58,8 +60,8 @@ NorSandConstants derive(const Sand& sand) {
 
 }  // namespace
 
-NorSand::NorSand(const Sand& sand)
-    : constants_(derive(sand)), kernels_(&constitutive_kernels()), OCR_(sand.OCR) {}
+NorSand::NorSand(const Sand& sand, const GrainCrushing& crushing)
+    : constants_(derive(sand, crushing)), kernels_(&constitutive_kernels()), OCR_(sand.OCR) {}
 
 double NorSand::initial_image_pressure(double s_rr, double s_zz, double s_tt, double s_rz, double e) const {
   // Fixed point of p_i = p exp(eta / M_i(p_i) - 1); M_i hardly depends on p_i, so that it settles in a few

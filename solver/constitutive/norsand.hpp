@@ -14,7 +14,7 @@ namespace cpt::solver {
 class NorSand {
  public:
   /// `sand` must be in the ranges of the quantities list; otherwise results may be non-finite.
-  explicit NorSand(const Sand& sand);
+  explicit NorSand(const Sand& sand, const GrainCrushing& crushing = {});
 
   /// Updates stress, void ratio and image pressure of a batch for one step. Returns the largest P-wave
   /// modulus K + 4/3 G [Pa] after it. Each point's result depends on that point alone; a point with

@@ -5,10 +5,12 @@ namespace cpt::solver {
 
 struct NorSandConstants {
   // Critical state line: e_c(p) = e_cs0 - lambda (p / p_a)^m.
-  double e_cs0;    // [-]
-  double lambda;   // [-]
-  double m;        // [-]
-  double log_p_a;  // [-] ln(p_a / 1 Pa)
+  double e_cs0;        // [-]
+  double lambda;       // [-]
+  double m;            // [-]
+  double crushing;     // [-] slope of the crushing branch (solver/mechanisms/grain_crushing.hpp), 0 for none
+  double log_p_crush;  // [-] ln(p / 1 Pa) where it begins
+  double log_p_a;      // [-] ln(p_a / 1 Pa)
   // Elasticity: G = G_ref p_a / (e - e_min_star) (p / p_a)^b.
   double G_scale;     // [Pa] G_ref p_a
   double b;           // [-]

@@ -47,7 +47,7 @@ struct ElasticPath {
     const State y = path.at(c, t);
     const Pack p = at_least(y.p, splat(c.p_min));
     const Powers w = powers_near(c, path.base, p, y.p_i);
-    return yield_value(c, p, y.s, w, image_at(c, w.slope, y.e));
+    return yield_value(c, p, y.s, w, image_at(c, w, y.e));
   };
   // A path that first runs inside: look for a point there.
   Pack low = splat(0.0), F_low = F_0;

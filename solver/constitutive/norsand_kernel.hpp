@@ -15,11 +15,11 @@ constexpr int cap_limit = 5;
   Mask capped = none();
   for (int i = 0; i < cap_limit; ++i) {
     // Newton's method for ln p_i, because p_mx itself depends on p_i through psi_i.
-    const Image image = image_at(c, w.slope, y.e);
+    const Image image = image_at(c, w, y.e);
     const Pack excess = excess_over_cap(c, w, image);
     const Mask above = greater(excess, splat(cap_tolerance));
     if (!any(above)) break;
-    const Pack log_p_i = w.log_p_i - excess / (image.M_itc_D + c.chi_tc * w.slope);
+    const Pack log_p_i = w.log_p_i - excess / (image.M_itc_D + c.chi_tc * image.slope);
     y.p_i = select(above, at_least(exp(log_p_i), splat(c.p_i_min)), y.p_i);
     w = powers_of(c, base, y);
     capped = capped | above;
@@ -66,7 +66,7 @@ struct Stress {
   if (any(plastic)) integrate_plastic(c, path, F, plastic, y);
   y.e = e_end;
   w = powers_of(c, path.base, y);
-  const Mask capped = slow & greater(excess_over_cap(c, w, image_at(c, w.slope, y.e)), splat(cap_tolerance));
+  const Mask capped = slow & greater(excess_over_cap(c, w, image_at(c, w, y.e)), splat(cap_tolerance));
   if (any(capped)) apply_cap(c, path.base, y, w);
 
   // No stress below p_min, but p grows from zero in recompression.
@@ -133,7 +133,7 @@ CPT_INLINE Pack update_pack(const Constants& c, const Batch& batch, decltype(bat
 
   // Surely elastic: inside the circle through the yield surface's least M, with nothing else to do.
   Powers w = powers_of(c, path.base, end);
-  const Image image = image_at(c, w.slope, e_end);
+  const Image image = image_at(c, w, e_end);
   const Pack p = at_least(end.p, splat(c.p_min));
   const Pack q_D_limit = (c.M_lowest * (1.0 + w.log_p_i - w.log_p)) * (p * image.M_itc_D);
   const Mask inside = less(1.5 * contract(end.s, end.s) * (image.D * image.D), q_D_limit * q_D_limit) &

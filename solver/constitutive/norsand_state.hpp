@@ -106,12 +106,16 @@ CPT_INLINE Powers powers_near(const Constants& c, const Base& base, Pack p, Pack
 /// chi_i = chi_tc / D so that nothing needs to be divided.
 struct Image {
   Pack psi;      // [-] e - e_c(p_i)
+  Pack slope;    // [-] dpsi / d ln p_i: that of the critical state line, with crushing
   Pack D;        // [-] limited: the plain form is singular at high pressure (29 MPa for the baseline sand)
   Pack M_itc_D;  // [-] D M_itc = D M_tc - N chi_tc |psi|, limited to 0.1 D M_tc
 };
-CPT_INLINE Image image_at(const Constants& c, Pack slope, Pack e) {
+CPT_INLINE Image image_at(const Constants& c, const Powers& w, Pack e) {
   Image image;
-  image.psi = e - c.e_cs0 + slope * (1.0 / c.m);
+  const Pack beyond = at_least(w.log_p_i - c.log_p_crush, splat(0.0));
+  image.psi = e - c.e_cs0 + w.slope * (1.0 / c.m) + c.crushing * beyond;
+  image.slope = w.slope + select(greater(beyond, splat(0.0)), splat(c.crushing), splat(0.0));
+  const Pack slope = image.slope;
   image.D = at_least(1.0 - c.chi_over_M * slope, splat(smallest_chi_denominator));
   const Pack M_tc_D = c.M_tc * image.D;
   image.M_itc_D = at_least(M_tc_D - (c.N * c.chi_tc) * abs(image.psi), 0.1 * M_tc_D);

@@ -153,7 +153,7 @@ CPT_INLINE Pack relative_error2(const Constants& c, const Increment& error, cons
 /// Distance from the yield surface, F / p.
 CPT_INLINE Pack yield_of(const Constants& c, const Base& base, const State& y) {
   const Powers w = powers_of(c, base, y);
-  return yield_value(c, at_least(y.p, splat(c.p_min)), y.s, w, image_at(c, w.slope, y.e));
+  return yield_value(c, at_least(y.p, splat(c.p_min)), y.s, w, image_at(c, w, y.e));
 }
 
 /// Share of the increment to try first: the elastic trial stress is to move by no more than a third of the

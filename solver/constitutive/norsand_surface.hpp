@@ -78,7 +78,7 @@ CPT_INLINE Pack hardening_power(const Constants& c, Pack p_over_p_i, const Power
 [[maybe_unused]] static void flow_at(const Constants& c, const State& y, const Powers& w,
                                      const Deviator& strain, Mask on_vertex, Flow& f) {
   f.p = at_least(y.p, splat(c.p_min));
-  const Image image = image_at(c, w.slope, y.e);
+  const Image image = image_at(c, w, y.e);
   // One division for the reciprocals of p, p_i, e - e_min_star, D and D M_itc.
   const Pack gap = at_least(y.e - c.e_min_star, splat(smallest_gap));
   const Pack p_p_i = f.p * y.p_i, D_M = image.D * image.M_itc_D, gap_D_M = gap * D_M;
@@ -146,8 +146,8 @@ CPT_INLINE Pack hardening_power(const Constants& c, Pack p_over_p_i, const Power
   const Pack signed_N = select(less(image.psi, splat(0.0)), splat(-c.N), splat(c.N));
   const Mask limited = at_most_mask(image.D, splat(smallest_chi_denominator));
   const Pack chi_growth = select(limited, splat(0.0), chi * chi * (c.m / c.M_tc) * w.slope);  // p_i dchi/dp_i
-  const Pack M_itc_growth = -signed_N * (chi_growth * image.psi + chi * w.slope);  // p_i dM_itc/dp_i
-  const Pack yield_growth = f.p * f.M_i + q_over_M * M_itc_growth;                 // -p_i dF/dp_i
+  const Pack M_itc_growth = -signed_N * (chi_growth * image.psi + chi * image.slope);  // p_i dM_itc/dp_i
+  const Pack yield_growth = f.p * f.M_i + q_over_M * M_itc_growth;                     // -p_i dF/dp_i
   f.yield_e = q_over_M * (signed_N * chi);
   const Pack elastic = f.K * f.n_p * f.n_p + 2.0 * f.G * contract(f.n, f.m);
   f.stiffness = at_least(elastic + yield_growth * relative, 1e-2 * elastic);

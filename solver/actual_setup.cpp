@@ -1,0 +1,21 @@
+#include "solver/actual_setup.hpp"
+
+namespace cpt::solver {
+
+Setup actual_setup(const Setup& setup) {
+  Setup actual = setup;
+  Mechanisms& mechanisms = actual.mechanisms;
+  actual.initial.sigma_v0 *= mechanisms.cushion_transfer.factor();
+  actual.initial.sigma_h0 *= mechanisms.cushion_transfer.factor();
+  actual.sand.OCR *= mechanisms.overconsolidation.factor();
+  mechanisms.layer_shift.apply(actual.layers);
+  actual.penetrometer.diameter -= mechanisms.worn_cone.diameter_loss;
+  actual.penetrometer.apex += mechanisms.worn_cone.apex_increase;
+  mechanisms.cushion_transfer = {};
+  mechanisms.overconsolidation = {};
+  mechanisms.layer_shift = {};
+  mechanisms.worn_cone = {};
+  return actual;
+}
+
+}  // namespace cpt::solver

@@ -1,0 +1,26 @@
+#include "solver/constitutive/varying_tresca.hpp"
+
+#include <algorithm>
+
+#include "solver/constitutive/linear_elastic.hpp"
+
+namespace cpt::solver {
+
+VaryingTresca::VaryingTresca(const Clay& clay, const StrainSoftening& softening, const RateDependence& rate)
+    : constants_{LinearElastic::constants(clay.G, clay.nu), softening.loss, 1.0 / softening.xi_95, rate.mu,
+                 1.0 / rate.reference_rate},
+      kernels_(&constitutive_kernels()),
+      modulus_(constants_.elastic.lame + constants_.elastic.two_G) {}
+
+bool strength_varies(const Mechanisms& mechanisms) {
+  return mechanisms.strain_softening.on() || mechanisms.rate_dependence.on() ||
+         mechanisms.strength_gradient.on() || mechanisms.clay_crust.on();
+}
+
+double strength_at(const Clay& clay, const Mechanisms& mechanisms, double depth) {
+  const double weakest = 0.01 * clay.s_u;  // a falling gradient does not end in negative strength
+  return std::max(
+      weakest, clay.s_u * (1.0 + mechanisms.clay_crust.at(depth)) + mechanisms.strength_gradient.at(depth));
+}
+
+}  // namespace cpt::solver

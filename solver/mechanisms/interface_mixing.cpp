@@ -1,0 +1,31 @@
+#include "solver/mechanisms/interface_mixing.hpp"
+
+#include "solver/mechanisms/mechanism.hpp"
+#include "solver/quantity_builders.hpp"
+
+namespace cpt::solver {
+
+bool InterfaceMixing::upper_soil(double distance, std::uint64_t id) const {
+  // SplitMix64 (Steele, Lea & Flood 2014): a number in [0, 1) that depends on the id alone.
+  std::uint64_t x = (id + 1) * 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  const double drawn = static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1.0p-53;
+  return drawn < 0.5 - distance / thickness;
+}
+
+Mechanism interface_mixing_mechanism() {
+  return {"interface_mixing",
+          "sand and clay mixed at their interfaces",
+          "share of the upper soil = 1/2 - distance / thickness",
+          "sample building; De Lange (2018)",
+          "peaks and troughs next to interfaces are blunter.",
+          any_soil,
+          true,
+          {{number<&Setup::mechanisms, &Mechanisms::interface_mixing, &InterfaceMixing::thickness>(
+                "interface_mixing.thickness_mm", "t_mix", millimetres, 0.0, 200.0, any_soil,
+                "thickness of the mixed zone at each interface", "sample building"),
+            0.0, 25.0}}};
+}
+
+}  // namespace cpt::solver

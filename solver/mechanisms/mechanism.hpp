@@ -1,0 +1,31 @@
+// What the catalogue says of a mechanism: a physical effect that the study leaves out and that can be
+// switched on.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "solver/quantities.hpp"
+
+namespace cpt::solver {
+
+/// A parameter of a mechanism, with the range over which a diagnosis looks for it.
+struct MechanismParameter {
+  Quantity quantity;                ///< name, unit, valid range; settable in a study like any other
+  double prior_lower, prior_upper;  ///< [study units] uniform prior
+};
+
+struct Mechanism {
+  std::string_view name;       ///< "surface_compaction"; its quantities begin with it
+  std::string_view title;      ///< what an engineer would say: "sand compacted near the surface"
+  std::string_view equation;   ///< in plain text
+  std::string_view source;     ///< of the equation and the prior
+  std::string_view signature;  ///< what to expect in q_c, one sentence
+  std::optional<Soil> soil;    ///< acts only on this soil
+  bool needs_interfaces;       ///< acts only where sand meets clay
+  /// The first is the strength. The mechanism is off, bit for bit, where all parameters have their defaults.
+  std::vector<MechanismParameter> parameters;
+};
+
+}  // namespace cpt::solver

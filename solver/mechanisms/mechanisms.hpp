@@ -1,0 +1,43 @@
+// Every mechanism of a setup; all are off by default. A new one is two new files, a line here and one in
+// catalogue.cpp.
+#pragma once
+
+#include "solver/mechanisms/clay_crust.hpp"
+#include "solver/mechanisms/compliant_wall.hpp"
+#include "solver/mechanisms/cushion_transfer.hpp"
+#include "solver/mechanisms/density_lens.hpp"
+#include "solver/mechanisms/depth_datum.hpp"
+#include "solver/mechanisms/grain_crushing.hpp"
+#include "solver/mechanisms/interface_mixing.hpp"
+#include "solver/mechanisms/layer_shift.hpp"
+#include "solver/mechanisms/overconsolidation.hpp"
+#include "solver/mechanisms/previous_push.hpp"
+#include "solver/mechanisms/rate_dependence.hpp"
+#include "solver/mechanisms/strain_softening.hpp"
+#include "solver/mechanisms/strength_gradient.hpp"
+#include "solver/mechanisms/surface_compaction.hpp"
+#include "solver/mechanisms/wall_friction.hpp"
+#include "solver/mechanisms/worn_cone.hpp"
+
+namespace cpt::solver {
+
+struct Mechanisms {
+  SurfaceCompaction surface_compaction;
+  DensityLens density_lens;
+  PreviousPush previous_push;
+  CompliantWall compliant_wall;
+  WallFriction wall_friction;
+  CushionTransfer cushion_transfer;
+  Overconsolidation overconsolidation;
+  GrainCrushing grain_crushing;
+  StrainSoftening strain_softening;
+  RateDependence rate_dependence;
+  StrengthGradient strength_gradient;
+  ClayCrust clay_crust;
+  DepthDatum depth_datum;
+  LayerShift layer_shift;
+  InterfaceMixing interface_mixing;
+  WornCone worn_cone;
+};
+
+}  // namespace cpt::solver

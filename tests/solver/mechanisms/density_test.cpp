@@ -1,0 +1,61 @@
+// Surface compaction and the density lens set the void ratio they promise, and stress that fits it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mechanism_fixture.hpp"
+
+namespace cpt::solver {
+namespace {
+
+constexpr double range = 0.890 - 0.552;  // e_max - e_min
+
+TEST(SurfaceCompaction, DecaysFromTheTop) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
+  const double e_0 = bulk(setup, Soil::sand).e;
+  setup.mechanisms.surface_compaction = {0.25, 0.05};
+  for_initial_soil(setup, [&](const Point& point, Material) {
+    const double depth = -point.field[1];
+    EXPECT_NEAR(point.field[10], e_0 - 0.25 * range * std::exp(-depth / 0.05), 1e-12);
+  });
+}
+
+TEST(SurfaceCompaction, EndsAtTheDensestState) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
+  setup.mechanisms.surface_compaction = {0.80, 0.05};
+  EXPECT_EQ(sand_void_ratio(setup, {}, 0.0), setup.sand.e_min);
+}
+
+TEST(SurfaceCompaction, IsFeltNearTheTopMost) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.11);
+  const Outcome off = run(setup);
+  setup.mechanisms.surface_compaction = {0.25, 0.03};
+  const Outcome on = run(setup);
+  const auto rise = [&](double from, double to) {
+    return mean_q_c(on, from, to) / mean_q_c(off, from, to) - 1.0;
+  };
+  EXPECT_GT(rise(0.04, 0.06), 0.06);
+  EXPECT_LT(std::abs(rise(0.09, 0.11)), 0.5 * rise(0.04, 0.06));
+}
+
+TEST(DensityLens, ChangesItsDepthsOnly) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
+  const double e_0 = bulk(setup, Soil::sand).e;
+  setup.mechanisms.density_lens = {-0.2, 0.30, 0.08};
+  for_initial_soil(setup, [&](const Point& point, Material) {
+    const bool inside = std::abs(-point.field[1] - 0.30) < 0.04;
+    EXPECT_NEAR(point.field[10], inside ? e_0 + 0.2 * range : e_0, 1e-12);
+  });
+}
+
+// A lens over the whole depth is another relative density.
+TEST(DensityLens, OfTheWholeDepthIsAnotherDensity) {
+  solver::Setup lens = quick(Profile::homogeneous_sand, 0.06), denser = lens;
+  lens.mechanisms.density_lens = {0.10, 0.5, 2.0};
+  denser.sand.D_r += 0.10;
+  const double a = mean_q_c(run(lens), 0.04, 0.06), b = mean_q_c(run(denser), 0.04, 0.06);
+  EXPECT_NEAR(a, b, 0.01 * b);  // the lens leaves the self-weight alone
+}
+
+}  // namespace
+}  // namespace cpt::solver

@@ -1,0 +1,80 @@
+// Mechanisms of geometry: depth datum, shifted and mixed interfaces, the worn cone.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "mechanism_fixture.hpp"
+#include "solver/actual_setup.hpp"
+
+namespace cpt::solver {
+namespace {
+
+TEST(DepthDatum, MovesTheRecordingOnly) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.04);
+  const Outcome plain = run(setup);
+  setup.mechanisms.depth_datum.shift = 0.007;
+  const Outcome shifted = run(setup);
+  EXPECT_EQ(plain.profile.q_c, shifted.profile.q_c);
+  for (std::size_t k = 0; k < plain.profile.depth.size(); ++k)
+    EXPECT_DOUBLE_EQ(shifted.profile.depth[k], plain.profile.depth[k] + 0.007);
+}
+
+TEST(LayerShift, MovesAllInnerInterfaces) {
+  solver::Setup setup = make_setup(Profile::layered_sand_clay, Preset::quick);
+  const std::vector<Layer> before = setup.layers;
+  setup.mechanisms.layer_shift.shift = 0.01;
+  const std::vector<Layer> after = actual_setup(setup).layers;
+  EXPECT_EQ(after.front().top, 0.0);
+  EXPECT_EQ(after.back().bottom, before.back().bottom);
+  for (std::size_t k = 0; k + 1 < before.size(); ++k) {
+    EXPECT_DOUBLE_EQ(after[k].bottom, before[k].bottom + 0.01);
+    EXPECT_EQ(after[k].bottom, after[k + 1].top);
+  }
+}
+
+TEST(InterfaceMixing, SharesGoLinearlyFromOneSoilToTheOther) {
+  solver::Setup setup = make_setup(Profile::layered_sand_clay, Preset::paper);
+  setup.mechanisms.interface_mixing.thickness = 0.02;
+  struct Share {
+    int clay = 0, all = 0;
+  };
+  std::map<int, Share> by_slice;  // of 2 mm about the interface at 0.23 m, sand above clay
+  for_initial_soil(setup, [&](const Point& point, Material material) {
+    const double below = -point.field[1] - 0.23;
+    if (std::abs(below) >= 0.014) return;
+    Share& share = by_slice[static_cast<int>(std::floor(below / 0.002))];
+    share.clay += material == Material::clay ? 1 : 0;
+    ++share.all;
+  });
+  for (const auto& [slice, share] : by_slice) {
+    const double below = (slice + 0.5) * 0.002;
+    const double expected = std::clamp(0.5 + below / 0.02, 0.0, 1.0);
+    EXPECT_NEAR(static_cast<double>(share.clay) / share.all, expected, 0.15) << below;
+    if (std::abs(below) > 0.010) {
+      EXPECT_EQ(share.clay, expected > 0.5 ? share.all : 0);
+    }
+  }
+}
+
+TEST(WornCone, IsThinnerAndBlunterThanItsDrawing) {
+  solver::Setup setup = make_setup(Profile::homogeneous_clay, Preset::quick);
+  setup.mechanisms.worn_cone = {0.0008, 0.2};
+  const solver::Setup actual = actual_setup(setup);
+  EXPECT_DOUBLE_EQ(actual.penetrometer.diameter, 0.0253 - 0.0008);
+  EXPECT_DOUBLE_EQ(actual.penetrometer.apex, setup.penetrometer.apex + 0.2);
+}
+
+// q_c over the nominal area: a thinner cone of the same shape shows less by the ratio of areas.
+TEST(WornCone, DividesTheForceByTheNominalArea) {
+  solver::Setup setup = quick(Profile::homogeneous_clay, 0.08);
+  solver::Setup thin = setup;
+  thin.penetrometer.diameter = 0.0240;
+  setup.mechanisms.worn_cone.diameter_loss = 0.0253 - 0.0240;
+  const double ratio = std::pow(0.0240 / 0.0253, 2);
+  const double expected = ratio * mean_q_c(run(thin), 0.06, 0.08);
+  EXPECT_NEAR(mean_q_c(run(setup), 0.06, 0.08), expected, 1e-6 * expected);
+}
+
+}  // namespace
+}  // namespace cpt::solver

@@ -1,0 +1,57 @@
+#include "solver/mechanisms/previous_push.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mechanism_fixture.hpp"
+#include "solver/first_push.hpp"
+#include "solver/mesh.hpp"
+
+namespace cpt::solver {
+namespace {
+
+TEST(PreviousPush, LeftBehindIsLinearBetweenBins) {
+  LeftBehind left;
+  EXPECT_EQ(left.sigma_h(0.3), 1.0);
+  EXPECT_EQ(left.void_ratio(0.3), 0.0);
+  left.bin = 0.1;
+  left.sigma_h_ratio = {1.0, 2.0, 4.0};
+  EXPECT_DOUBLE_EQ(left.sigma_h(0.01), 1.0);
+  EXPECT_DOUBLE_EQ(left.sigma_h(0.10), 1.5);
+  EXPECT_DOUBLE_EQ(left.sigma_h(0.20), 3.0);
+  EXPECT_DOUBLE_EQ(left.sigma_h(0.90), 4.0);
+}
+
+// Soil that nothing has touched has nothing left behind.
+TEST(PreviousPush, OfUntouchedSoilChangesNothing) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.2);
+  setup.mechanisms.previous_push = {1.0, 0.15};
+  const NorSand sand(setup.sand);
+  const InitialState state = initial_state(setup, &sand);
+  const Mesh mesh(chamber_layout(setup));
+  std::vector<std::int32_t> bucket_of;
+  for (std::size_t k = 0; k < state.points.size(); ++k)
+    bucket_of.push_back(mesh.locate(state.points[k].field[0], state.points[k].field[1]).cell *
+                            material_count +
+                        state.material[k]);
+  const MaterialPoints points(state.points, bucket_of, static_cast<std::int32_t>(mesh.cells().size()));
+  Observer nobody;
+  FirstPush first(setup, nobody);
+  first.look(0.2, points);
+  const LeftBehind& left = first.left_behind();
+  // The points of a bin do not lie symmetrically about its middle: the self-weight of a few millimetres.
+  EXPECT_NEAR(left.sigma_v_ratio, 1.0, 1e-3);
+  for (const double ratio : left.sigma_h_ratio) EXPECT_NEAR(ratio, 1.0, 2e-3);
+  for (const double change : left.void_ratio_change) EXPECT_NEAR(change, 0.0, 1e-12);
+}
+
+TEST(PreviousPush, NearbyRaisesTheResistance) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.06);
+  setup.chamber.radius = 0.20;
+  const double first = mean_q_c(run(setup), 0.04, 0.06);
+  setup.mechanisms.previous_push = {1.0, 0.06};
+  const double second = mean_q_c(run(setup), 0.04, 0.06);
+  EXPECT_GT(second, 1.05 * first);
+}
+
+}  // namespace
+}  // namespace cpt::solver

@@ -1,0 +1,56 @@
+// Mechanisms of the initial stress: cushion transfer, overconsolidation, wall friction.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mechanism_fixture.hpp"
+#include "solver/actual_setup.hpp"
+#include "solver/quantities.hpp"
+
+namespace cpt::solver {
+namespace {
+
+TEST(CushionTransfer, ScalesTheStressAtTheTop) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
+  setup.mechanisms.cushion_transfer.loss = 0.2;
+  const solver::Setup actual = actual_setup(setup);
+  EXPECT_DOUBLE_EQ(actual.initial.sigma_v0, 40e3);
+  EXPECT_DOUBLE_EQ(actual.initial.sigma_h0, 20e3);
+  EXPECT_EQ(canonical_text(actual_setup(actual)), canonical_text(actual));
+}
+
+TEST(Overconsolidation, ScalesTheImagePressure) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
+  setup.mechanisms.overconsolidation.excess = 1.5;
+  EXPECT_DOUBLE_EQ(actual_setup(setup).sand.OCR, 2.5);
+}
+
+TEST(ActualSetup, IsTheSetupWhereNothingIsOn) {
+  const solver::Setup setup = quick(Profile::layered_sand_clay, 0.1);
+  EXPECT_EQ(canonical_text(actual_setup(setup)), canonical_text(setup));
+}
+
+// Janssen's equation by fine steps of Euler's method.
+TEST(WallFriction, TakesWhatJanssenSays) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
+  setup.mechanisms.wall_friction.coefficient = 0.4;
+  const Bulk b = bulk(setup, Soil::sand);
+  const double weight = b.rho * b.weight_ratio * gravity, R = setup.chamber.radius;
+  double sigma_v = 50e3;
+  const int steps = 100000;
+  for (int i = 0; i < steps; ++i) sigma_v += 0.8 / steps * (weight - 2.0 * 0.4 * 0.5 * sigma_v / R);
+  EXPECT_NEAR(vertical_stress(setup, -0.8), sigma_v, 1e-4 * sigma_v);
+  EXPECT_LT(sigma_v, 40e3);
+}
+
+TEST(WallFriction, ShearFallsLinearlyToTheAxis) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
+  setup.mechanisms.wall_friction.coefficient = 0.4;
+  for_initial_soil(setup, [&](const Point& point, Material) {
+    const double sigma_h = -point.field[4], r = point.field[0];
+    EXPECT_NEAR(point.field[7], 0.4 * sigma_h * r / setup.chamber.radius, 1e-9 * sigma_h);
+  });
+}
+
+}  // namespace
+}  // namespace cpt::solver
