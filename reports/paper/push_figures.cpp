@@ -41,7 +41,8 @@ std::optional<std::string> stress_path_figure(const Pushes& pushes) {
     if (!push->histories || push->histories->points.empty()) return std::nullopt;
   Svg svg(560.0, 300.0, "stress_paths");
   draw_heading(svg, "Stress paths beside the cone",
-               symbolic("from 0.5 m deep, sand of D_R = 60 %, σ'_v0 = 100 kPa"));
+               plain(fmt::format("from {:g} m deep, ", pushes.rigid.histories->points[0].wanted.depth)) +
+                   symbolic("sand of D_R = 60 %, σ'_v0 = 100 kPa"));
   XyPlot rigid = paths(pushes.rigid, pushes.rigid_90), flexible = paths(pushes.flexible, pushes.flexible_90);
   for (const XyCurve& curve : flexible.curves)  // the same axes for both
     rigid.room.insert(rigid.room.end(), curve.points.begin(), curve.points.end());
@@ -86,7 +87,8 @@ std::optional<std::string> wall_figure(const Push& push) {
     ratio.curves.push_back(std::move(both));
   }
   double x = 46.0;
-  for (const XyPlot* plot : {&vertical, &horizontal, &ratio}) {
+  for (XyPlot* plot : {&vertical, &horizontal, &ratio}) {
+    plot->x_ticks = 3;
     draw(svg, {x, 60.0, 130.0, 150.0}, *plot);
     x += 180.0;
   }

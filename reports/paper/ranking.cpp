@@ -45,9 +45,8 @@ RankingComparison compare(const StudyView& study, const Ranking& ranking) {
   }
   const std::size_t all = placed.size() + without;
   if (without > 0)
-    result.missing = study.snapshot() == nullptr
-                         ? reason
-                         : fmt::format("{} of {} parameters have no index", without, all);
+    result.missing =
+        study.snapshot() == nullptr ? reason : fmt::format("{} of {} parameters have no index", without, all);
   for (const Placed& first : placed)
     for (const Placed& second : placed) {
       if (first.group >= second.group) continue;

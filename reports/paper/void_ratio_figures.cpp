@@ -101,31 +101,37 @@ void draw_penetrometer(Svg& svg, double tip_depth, const Axis& r, const Axis& de
 
 std::string void_ratio_profile_figure(const Histories& push) {
   const results::DepthInterval between = middle_half(push);
-  Svg svg(430.0, 290.0, "void_ratio_profile");
+  Svg svg(640.0, 290.0, "void_ratio_profile");
   draw_heading(svg, "Void ratio at the end of the push",
                plain(fmt::format("rings over {:.2f} to {:.2f} m depth, ", between.from, between.to)) +
-                   symbolic("D_R = 60 %, σ'_v0 = 100 kPa, rigid wall"));
+                   symbolic("D_R = 60 %, σ'_v0 = 100 kPa, rigid wall; right: without the dilation"));
   const Pen start{palette::muted, 0.9, "4 2"}, mean{palette::ink, 1.2, {}}, extremes{palette::sky, 0.7, {}};
   const Pen theirs{palette::vermillion, 0.9, "2 2"};
   XyCurve before{{}, start}, after{{}, mean}, least{{}, extremes}, largest{{}, extremes};
-  double low = infinity, high = -infinity;
   for (const results::Ring& ring : void_ratio_rings(push)) {
     before.points.push_back({ring.r, ring.void_ratio_start});
     after.points.push_back({ring.r, ring.void_ratio});
     least.points.push_back({ring.r, ring.void_ratio_min});
     largest.points.push_back({ring.r, ring.void_ratio_max});
-    low = std::min(low, ring.void_ratio_min);
-    high = std::max(high, ring.void_ratio_max);
   }
-  XyPlot plot{plain("distance from the axis (m)"), plain("e"), {}};
-  plot.room = {{0.0, least_void_ratio.value}};
   const double outermost = after.points.empty() ? 0.0 : after.points.back().x;
-  plot.curves = {least, largest, before, after};
-  plot.curves.push_back({{{altered_to.value, low}, {altered_to.value, high}}, theirs});
-  plot.curves.push_back({{{0.0, least_void_ratio.value}, {outermost, least_void_ratio.value}}, theirs});
-  const Box box{52.0, 44.0, 235.0, 205.0};
-  draw(svg, box, plot);
-  Legend legend{svg, box.right() + 12.0, box.y + 6.0, 128.0};
+  XyPlot whole{plain("distance from the axis (m)"), plain("e"), {}};
+  whole.room = {{0.0, least_void_ratio.value}};
+  whole.curves = {least, largest, before, after};
+  XyPlot contraction = whole;
+  for (XyCurve& curve : contraction.curves)
+    for (std::size_t i = 0; i < curve.points.size(); ++i)
+      if (curve.points[i].y > before.points[i].y + 0.002)
+        curve.points[i].y = std::numeric_limits<double>::quiet_NaN();
+  const double top = before.points.empty() ? 1.0 : before.points.front().y;
+  contraction.curves.push_back(
+      {{{altered_to.value, least_void_ratio.value}, {altered_to.value, top}}, theirs});
+  contraction.curves.push_back(
+      {{{0.0, least_void_ratio.value}, {outermost, least_void_ratio.value}}, theirs});
+  const Box left{52.0, 44.0, 190.0, 205.0}, right{302.0, 44.0, 190.0, 205.0};
+  draw(svg, left, whole);
+  draw(svg, right, contraction);
+  Legend legend{svg, right.right() + 12.0, right.y + 6.0, 130.0};
   legend.line(plain("at the start"), start);
   legend.line(plain("at the end, mean"), mean);
   legend.line(plain("least, largest point"), extremes);
@@ -154,8 +160,8 @@ std::string void_ratio_map_figure(const Histories& push) {
   for (std::size_t i = shades.size(); i-- > 0;) {
     const bool last = i + 1 == shades.size();
     const std::string text =
-        last     ? fmt::format("above +{:g}", shades[i - 1].up_to)
-        : i == 0 ? fmt::format("below −{:g}", -shades[i].up_to)
+        last     ? fmt::format("above {}", with_sign(shades[i - 1].up_to, 3))
+        : i == 0 ? fmt::format("below {}", with_sign(shades[i].up_to, 3))
                  : fmt::format("{} to {}", with_sign(shades[i - 1].up_to, 3), with_sign(shades[i].up_to, 3));
     legend.patch(plain(text), shades[i].color);
   }
