@@ -148,7 +148,7 @@ void compare_ranking(std::vector<Finding>& findings, std::string_view row, const
                      const StudyView& study) {
   const RankingComparison result = compare(study, ranking);
   Finding order = start({row, "groups of parameters by |SI|"},
-                        fmt::format("{} groups, below", ranking.groups.size()), "5.2", "order");
+                        fmt::format("{} groups (indices below)", ranking.groups.size()), "5.2", "order");
   order.detail = result.missing;
   if (result.pairs > 0) {
     order.ours = fmt::format("{} of {} pairs in order", result.in_order, result.pairs);
@@ -163,8 +163,9 @@ void compare_ranking(std::vector<Finding>& findings, std::string_view row, const
     all += group.parameters.size();
     if (group.level == Level::at_or_below_noise) below += group.parameters.size();
   }
-  Finding level = start({row, "parameters at or below SI<sub>noise</sub>"},
-                        fmt::format("{} of {}, below", below, all), "5.2", "side of SI<sub>noise</sub>");
+  Finding level =
+      start({row, "parameters at or below SI<sub>noise</sub>"},
+            fmt::format("{} of {} (indices below)", below, all), "5.2", "side of SI<sub>noise</sub>");
   level.detail = result.missing;
   if (result.levels > 0) {
     level.ours = fmt::format("{} of {} on the paper's side", result.at_level, result.levels);
