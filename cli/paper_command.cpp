@@ -14,13 +14,22 @@ namespace {
 struct Arguments {
   std::filesystem::path folder, beside;
   std::filesystem::path out = "docs/paper.md";
+  std::filesystem::path causes;
 };
 
+using namespace reports::paper;
+
+std::vector<Cause> causes_of(const Arguments& arguments) {
+  if (!arguments.causes.empty()) return read_causes(arguments.causes);
+  const std::filesystem::path usual = "docs/paper-causes.toml";
+  return std::filesystem::exists(usual) ? read_causes(usual) : std::vector<Cause>{};
+}
+
 int paper(const Arguments& arguments) {
-  using namespace reports::paper;
-  const Studies studies = read_studies(arguments.folder);
-  const Studies beside = arguments.beside.empty() ? Studies{} : read_studies(arguments.beside);
-  const auto files = write_paper(studies, arguments.out, arguments.beside.empty() ? nullptr : &beside);
+  const Runs runs = read_runs(arguments.folder);
+  const Runs beside = arguments.beside.empty() ? Runs{} : read_runs(arguments.beside);
+  const auto files =
+      write_paper(runs, causes_of(arguments), arguments.out, arguments.beside.empty() ? nullptr : &beside);
   fmt::print("{} and {} figure files in {}\n", files.front().string(), files.size() - 1,
              (arguments.out.parent_path() / arguments.out.stem()).string());
   return all_well;
@@ -38,8 +47,12 @@ void add_paper(CLI::App& program, Action& action) {
       ->type_name("FILE.md")
       ->capture_default_str();
   command
+      ->add_option("--causes", arguments->causes,
+                   "What was found to cause the differences, by row [docs/paper-causes.toml if it is there]")
+      ->type_name("FILE.toml");
+  command
       ->add_option("--beside", arguments->beside,
-                   "Folder of the same studies run otherwise, finer for instance: columns of their own")
+                   "Folder of the same studies run otherwise, coarser for instance: columns of their own")
       ->type_name("FOLDER");
   command->footer(R"(Works at any time: what has not been run is told as such.
 

@@ -111,6 +111,11 @@ void Legend::patch(const Rich& text, std::string_view fill) {
   entry(text);
 }
 
+void Legend::dot(const Rich& text, std::string_view fill) {
+  svg_.circle({x_ + 0.5 * glyph_width, y_}, 2.6, fill, {palette::ink, 0.4, {}});
+  entry(text);
+}
+
 void Legend::mark(const Rich& text) {
   svg_.rectangle({x_ + 0.5 * glyph_width - 1.5, y_ - 4.0, 3.0, 8.0}, palette::ink);
   entry(text);

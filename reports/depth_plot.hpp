@@ -35,6 +35,7 @@ class Legend {
   Legend(Svg& svg, double x, double y, double width) : svg_(svg), x_(x), y_(y), width_(width) {}
   void line(const Rich& text, const Pen& pen);
   void patch(const Rich& text, std::string_view fill);
+  void dot(const Rich& text, std::string_view fill);
   void mark(const Rich& text);  ///< the bracket of draw_window_mark
   void gap() { y_ += 6.0; }
 

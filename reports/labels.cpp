@@ -120,4 +120,9 @@ double draw_heading(Svg& svg, const Snapshot& campaign, std::string_view title,
   return y + 6.0;
 }
 
+void draw_heading(Svg& svg, std::string_view title, const Rich& line) {
+  svg.text({8.0, 17.0}, plain(title), {.size = 10.0, .bold = true});
+  svg.text({8.0, 29.5}, line, {.size = 8.0, .color = palette::muted});
+}
+
 }  // namespace cpt::reports

@@ -42,5 +42,7 @@ namespace cpt::reports {
 /// where it is not complete.
 double draw_heading(Svg& svg, const results::Snapshot& campaign, std::string_view title,
                     const std::vector<Rich>& lines);
+/// Title and one grey line of a figure that belongs to no campaign; they end 32 points below the upper edge.
+void draw_heading(Svg& svg, std::string_view title, const Rich& line);
 
 }  // namespace cpt::reports

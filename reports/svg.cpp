@@ -66,6 +66,13 @@ void Svg::polyline(std::span<const Point> points, const Pen& pen) {
                  path, stroke(pen));
 }
 
+void Svg::polygon(std::span<const Point> corners, std::string_view fill) {
+  std::string points;
+  for (const Point& p : corners)
+    fmt::format_to(std::back_inserter(points), "{},{} ", length(p.x), length(p.y));
+  fmt::format_to(std::back_inserter(body_), "<polygon points=\"{}\" fill=\"{}\"/>\n", points, fill);
+}
+
 void Svg::text(Point at, const Rich& text, const TextStyle& style) {
   constexpr std::string_view anchors[] = {"start", "middle", "end"};
   const std::string place =

@@ -46,6 +46,7 @@ class Svg {
   void circle(Point centre, double radius, std::string_view fill, const Pen& outline);
   /// Points that are not finite break the line.
   void polyline(std::span<const Point> points, const Pen& pen);
+  void polygon(std::span<const Point> corners, std::string_view fill);
   /// `at` is on the base line.
   void text(Point at, const Rich& text, const TextStyle& style = {});
 

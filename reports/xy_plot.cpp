@@ -45,12 +45,15 @@ void draw(Svg& svg, const Box& box, const XyPlot& plot) {
     return point.x > 0.0 ? std::log10(point.x) : std::numeric_limits<double>::quiet_NaN();
   };
   Extent x, y;
-  for (const XyCurve& curve : plot.curves)
-    for (const Point& point : curve.points) {
+  const auto take = [&](const std::vector<Point>& points) {
+    for (const Point& point : points) {
       if (!std::isfinite(x_of(point)) || !std::isfinite(point.y)) continue;
       x.take(x_of(point));
       y.take(point.y);
     }
+  };
+  for (const XyCurve& curve : plot.curves) take(curve.points);
+  take(plot.room);
   if (!(x.low <= x.high)) return;
   const Range across = plot.log_x ? widened(x.low, x.high, 0.02) : widened(x.low, x.high, 0.0);
   const Range up = widened(y.low, y.high, 0.05);
@@ -67,7 +70,11 @@ void draw(Svg& svg, const Box& box, const XyPlot& plot) {
   for (const XyCurve& curve : plot.curves) {
     std::vector<Point> points;
     for (const Point& point : curve.points) points.push_back({horizontal(x_of(point)), vertical(point.y)});
-    svg.polyline(points, curve.pen);
+    if (curve.mark > 0.0)
+      for (const Point& point : points)
+        svg.circle(point, curve.mark, curve.pen.color, {palette::ink, 0.4, {}});
+    else
+      svg.polyline(points, curve.pen);
   }
   svg.end_clip();
   svg.frame(box, {palette::ink, 0.6, {}});

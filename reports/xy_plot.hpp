@@ -11,6 +11,7 @@ namespace cpt::reports {
 struct XyCurve {
   std::vector<Point> points;  ///< data, not paper
   Pen pen;
+  double mark = 0.0;  ///< radius on paper: circles of the pen's colour in place of a line
 };
 
 struct XyPlot {
@@ -19,9 +20,10 @@ struct XyPlot {
   bool log_x = false;   ///< wants x > 0; points at or below zero are left out
   bool y_down = false;  ///< the least y on top
   int x_ticks = 5, y_ticks = 5;
+  std::vector<Point> room = {};  ///< data that the axes hold too
 };
 
-/// Axes wide enough for all curves, then the curves.
+/// Axes wide enough for all curves and the room, then the curves.
 void draw(Svg& svg, const Box& box, const XyPlot& plot);
 
 }  // namespace cpt::reports

@@ -7,9 +7,9 @@
 namespace cpt::results {
 namespace {
 
-constexpr const char* origin_names[] = {
-    "study",  "title", "realization",     "parameter",      "side",         "value_text",
-    "status", "setup", "program_version", "solver_version", "settings_hash"};
+constexpr const char* origin_names[] = {"study",    "title",           "realization",    "parameter",
+                                        "side",     "value_text",      "status",         "setup",
+                                        "recorded", "program_version", "solver_version", "settings_hash"};
 
 double required(const Hdf5Group& group, const char* name) {
   if (const auto value = group.number(name)) return *value;
@@ -57,6 +57,19 @@ WallHistory wall_of(const Hdf5Group& group) {
           columns_of(group)};
 }
 
+void put(const Hdf5Group& group, const SoilAtEnd& soil) {
+  group.put_array("r", soil.r, "m");
+  group.put_array("depth", soil.depth, "m");
+  group.put_array("volume", soil.volume, "m3");
+  group.put_array("void_ratio", soil.void_ratio, "-");
+  group.put_array("void_ratio_start", soil.void_ratio_start, "-");
+}
+
+SoilAtEnd soil_of(const Hdf5Group& group) {
+  return {group.array("r"), group.array("depth"), group.array("volume"), group.array("void_ratio"),
+          group.array("void_ratio_start")};
+}
+
 // Groups 0001, 0002, ... in the order of the list.
 template <typename History>
 void put_all(const Hdf5Group& group, const std::vector<History>& list) {
@@ -85,6 +98,7 @@ void write_histories(const std::filesystem::path& file, const Histories& histori
     profile.put_array("depth", histories.profile.depth, "m");
     profile.put_array("q_c", histories.profile.q_c, "Pa");
     profile.put_array("f_s", histories.profile.f_s, "Pa");
+    put(root.add_group("end"), histories.end);
   });
 }
 
@@ -98,6 +112,7 @@ Histories read_histories(const std::filesystem::path& file) {
       histories.walls = all_of(root.group("walls"), wall_of);
       const Hdf5Group profile = root.group("profile");
       histories.profile = {profile.array("depth"), profile.array("q_c"), profile.array("f_s")};
+      histories.end = soil_of(root.group("end"));
     });
   } catch (const Error& error) {
     throw Error(fmt::format("{}: not a readable file of histories ({})", file.string(), error.what()));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "results/error.hpp"
+#include "results/soil_at_end.hpp"
 #include "solver/simulate.hpp"
 
 namespace cpt::results {
@@ -53,11 +54,12 @@ struct WallHistory {
 };
 
 struct Histories {
-  std::map<std::string, std::string> origin;  ///< attributes of the file's root: study, versions, inputs
+  std::map<std::string, std::string> origin;  ///< attributes of the file's root: study, inputs, versions, ...
   std::vector<double> tip_depth;              // [m] one row each: the start, then the end of each depth bin
   std::vector<PointHistory> points;
   std::vector<WallHistory> walls;
   solver::DepthProfile profile;
+  SoilAtEnd end;
 };
 
 /// Writes the file whole (docs/output.md describes it); throws Error.

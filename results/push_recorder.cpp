@@ -58,6 +58,10 @@ void PushRecorder::rethrow() const {
   if (failure_) std::rethrow_exception(failure_);
 }
 
-Histories PushRecorder::histories() const { return history_ ? history_->histories() : Histories{}; }
+Histories PushRecorder::histories() const {
+  Histories histories = history_ ? history_->histories() : Histories{};
+  histories.end = soil_at_end(start_, end_);
+  return histories;
+}
 
 }  // namespace cpt::results

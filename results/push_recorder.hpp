@@ -32,7 +32,7 @@ class PushRecorder : public solver::Observer {
 
   /// Throws what ended the recording, if something did.
   void rethrow() const;
-  /// All rows so far.
+  /// All rows so far, and the soil at the final depth.
   [[nodiscard]] Histories histories() const;
   /// Material points before the push, and at its final depth (empty if it did not get there).
   [[nodiscard]] const std::vector<solver::PointState>& start() const { return start_; }

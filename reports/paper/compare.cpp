@@ -17,7 +17,6 @@ Finding start(const Subject& subject, std::string published, std::string_view se
   finding.published = std::move(published);
   finding.section = section;
   finding.check = std::move(check);
-  finding.preset = subject.preset;
   return finding;
 }
 
@@ -39,13 +38,17 @@ std::string_view to_string(Verdict verdict) {
       return "–";
     case Verdict::not_run:
       return "not run";
+    case Verdict::not_published:
+      return "not published";
   }
   return "";
 }
 
-std::string percent(double fraction, int digits) {
-  return fmt::format("{}{} %", fraction >= 0.0 ? "+" : "", decimals(100.0 * fraction, digits));
+std::string with_sign(double value, int digits) {
+  return fmt::format("{}{}", value >= 0.0 ? "+" : "", decimals(value, digits));
 }
+
+std::string percent(double fraction, int digits) { return with_sign(100.0 * fraction, digits) + " %"; }
 
 Value relative_change(const Value& from, const Value& to) {
   if (!from) return from;
@@ -72,8 +75,20 @@ Finding compare_effect(const Subject& subject, const Published& published, const
   if (!ours) return finding;
   const double apart = ours.number - published.value;
   finding.ours = percent(ours.number);
-  finding.difference = fmt::format("{}{} points", apart >= 0.0 ? "+" : "", decimals(100.0 * apart, 1));
+  finding.difference = fmt::format("{} points", with_sign(100.0 * apart, 1));
   finding.verdict = verdict(ours.number * published.value > 0.0 && std::abs(apart) <= effect_tolerance);
+  return finding;
+}
+
+Finding compare_stress_rise(const Subject& subject, const Published& published, const Value& ours) {
+  Finding finding = start(subject, "up to about " + percent(published.value, 0), published.section,
+                          fmt::format("sign, and the stress within {:.0f} %", 100.0 * level_tolerance));
+  finding.detail = ours.missing;
+  if (!ours) return finding;
+  const double relative = (1.0 + ours.number) / (1.0 + published.value) - 1.0;
+  finding.ours = percent(ours.number);
+  finding.difference = percent(relative) + " of the stress";
+  finding.verdict = verdict(ours.number * published.value > 0.0 && std::abs(relative) <= level_tolerance);
   return finding;
 }
 
@@ -85,7 +100,7 @@ Finding show(const Subject& subject, const Published& published, const Value& ou
   if (!ours) return finding;
   const double apart = ours.number - published.value;
   finding.ours = fmt::format("{}{}", decimals(ours.number, digits), unit);
-  finding.difference = fmt::format("{}{}{}", apart >= 0.0 ? "+" : "", decimals(apart, digits), unit);
+  finding.difference = fmt::format("{}{}", with_sign(apart, digits), unit);
   finding.verdict = Verdict::shown;
   return finding;
 }
@@ -97,6 +112,24 @@ Finding compare_sign(const Subject& subject, std::string statement, std::string_
   if (!ours) return finding;
   finding.ours = percent(ours.number);
   finding.verdict = verdict(sign == Sign::rises ? ours.number > 0.0 : ours.number < 0.0);
+  return finding;
+}
+
+Finding compare_change(const Subject& subject, std::string statement, std::string_view section, Sign sign,
+                       const Value& ours, int digits) {
+  Finding finding = compare_sign(subject, std::move(statement), section, sign, ours);
+  if (ours) finding.ours = with_sign(ours.number, digits);
+  return finding;
+}
+
+Finding compare_nearer(const Subject& subject, std::string statement, const Published& target,
+                       const Published& from, const Value& ours) {
+  Finding finding = start(subject, std::move(statement), target.section,
+                          fmt::format("nearer to {:.1f} than to {:.1f}", target.value, from.value));
+  finding.detail = ours.missing;
+  if (!ours) return finding;
+  finding.ours = decimals(ours.number, 2);
+  finding.verdict = verdict(std::abs(ours.number - target.value) < std::abs(ours.number - from.value));
   return finding;
 }
 
@@ -114,28 +147,28 @@ Finding compare_less(const Subject& subject, std::string statement, std::string_
 void compare_ranking(std::vector<Finding>& findings, std::string_view row, const Ranking& ranking,
                      const StudyView& study) {
   const RankingComparison result = compare(study, ranking);
-  Finding order =
-      start({row, "groups of parameters by |SI|", study.preset()}, in_words(study, ranking), "5.2", "order");
-  order.detail = listed(result.missing);
+  Finding order = start({row, "groups of parameters by |SI|"},
+                        fmt::format("{} groups (indices below)", ranking.groups.size()), "5.2", "order");
+  order.detail = result.missing;
   if (result.pairs > 0) {
-    order.ours = result.ours;
-    order.difference = fmt::format("{} of {} pairs in order", result.in_order, result.pairs);
+    order.ours = fmt::format("{} of {} pairs in order", result.in_order, result.pairs);
     order.verdict = verdict(result.in_order == result.pairs);
     if (!result.out_of_order.empty())
       order.detail += (order.detail.empty() ? "" : "; ") + ("out of order: " + listed(result.out_of_order));
   }
   findings.push_back(std::move(order));
 
-  std::string below;
-  for (const Group& group : ranking.groups)
-    if (group.level == Level::at_or_below_noise)
-      for (const std::string_view parameter : group.parameters)
-        below += (below.empty() ? "" : ", ") + study.symbol(parameter);
-  Finding level = start({row, "parameters at or below SI<sub>noise</sub>", study.preset()},
-                        below + "; all others above", "5.2", "side of SI<sub>noise</sub>");
-  level.detail = listed(result.missing);
+  std::size_t below = 0, all = 0;
+  for (const Group& group : ranking.groups) {
+    all += group.parameters.size();
+    if (group.level == Level::at_or_below_noise) below += group.parameters.size();
+  }
+  Finding level =
+      start({row, "parameters at or below SI<sub>noise</sub>"},
+            fmt::format("{} of {} (indices below)", below, all), "5.2", "side of SI<sub>noise</sub>");
+  level.detail = result.missing;
   if (result.levels > 0) {
-    level.ours = fmt::format("{} of {} parameters on the paper's side", result.at_level, result.levels);
+    level.ours = fmt::format("{} of {} on the paper's side", result.at_level, result.levels);
     level.verdict = verdict(result.at_level == result.levels);
     if (!result.off_level.empty())
       level.detail += (level.detail.empty() ? "" : "; ") + ("on the other side: " + listed(result.off_level));

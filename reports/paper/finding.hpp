@@ -10,8 +10,9 @@ namespace cpt::reports::paper {
 enum class Verdict {
   holds,
   differs,
-  shown,   ///< the paper gives nothing to hold it against
-  not_run  ///< the results it needs are not there
+  shown,         ///< the paper gives nothing to hold it against
+  not_run,       ///< the results it needs are not there
+  not_published  ///< what it would be held against is not there
 };
 [[nodiscard]] std::string_view to_string(Verdict verdict);
 
@@ -21,11 +22,10 @@ struct Finding {
   std::string quantity;      ///< what is compared
   std::string published;     ///< the paper's value or statement
   std::string_view section;  ///< of the paper
-  std::string ours;          ///< empty if not run
+  std::string ours;          ///< empty if there is nothing to show
   std::string difference;    ///< ours against the paper's; empty where there is no number
   std::string check;         ///< what `verdict` speaks of: "level", "sign", "order", ...
   Verdict verdict = Verdict::not_run;
-  std::string preset;  ///< of the studies it comes from
   std::string detail;  ///< what is missing, or what stands out of line; may be empty
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/labels.hpp"
 #include "reports/paper/compare.hpp"
 #include "reports/paper/findings.hpp"
 #include "reports/text.hpp"
@@ -15,42 +16,47 @@ constexpr std::string_view hardening = "sand.H";
 constexpr std::string_view radius = "chamber.radius_m";
 constexpr std::string_view sigma_h0 = "initial.sigma_h0_kPa";
 
+// Least and largest of the averages of a study, each with the label of the realization it belongs to.
 struct Range {
   Value least, largest;
-  std::string detail;  // realizations that are missing from it
+  std::string least_run, largest_run;  // Markdown
+  std::string partial;                 // realizations that are missing from it
 };
 
-/// Of the averages of all completed realizations, with or without the upper bound of one parameter.
+/// Of all completed realizations, with or without the upper bound of one parameter.
 Range range(const StudyView& study, std::string_view window, std::string_view without = {}) {
-  const results::Snapshot* s = study.snapshot();
-  if (const Value base = study.baseline(window); !base) return {base, base, ""};
-  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  if (const Value base = study.baseline(window); !base) return {base, base, {}, {}, {}};
+  const results::Snapshot& s = *study.snapshot();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Range range{{infinity, {}}, {-infinity, {}}, {}, {}, {}};
   int found = 0, missing = 0;
-  for (const results::RealizationRow& run : s->realizations) {
+  for (const results::RealizationRow& run : s.realizations) {
     if (!without.empty() && run.parameter == without && run.side == "upper") continue;
-    const auto mean = std::find_if(s->window_means.begin(), s->window_means.end(), [&](const auto& m) {
+    const auto mean = std::find_if(s.window_means.begin(), s.window_means.end(), [&](const auto& m) {
       return m.realization == run.id && m.window == window;
     });
-    if (mean == s->window_means.end()) {
+    if (mean == s.window_means.end()) {
       ++missing;
       continue;
     }
     ++found;
-    least = std::min(least, mean->q_c_mean_kPa);
-    largest = std::max(largest, mean->q_c_mean_kPa);
+    const double q_c = mean->q_c_mean_kPa;
+    if (q_c < range.least.number) range.least.number = q_c, range.least_run = html(run_label(s, run));
+    if (q_c > range.largest.number) range.largest.number = q_c, range.largest_run = html(run_label(s, run));
   }
-  const std::string partial =
-      missing == 0 ? "" : fmt::format("{} of {} realizations are in the range", found, found + missing);
-  return {{least, {}}, {largest, {}}, partial};
+  if (missing > 0)
+    range.partial = fmt::format("{} of {} realizations are in the range", found, found + missing);
+  return range;
 }
 
 void add_range(std::vector<Finding>& findings, std::string_view row, const std::string& of,
-               const Range& range, const Published& least, const Published& largest,
-               const std::string& preset) {
+               const Range& range, const Published& least, const Published& largest) {
   for (const bool low : {true, false}) {
-    Finding finding = compare_level({row, (low ? "least " : "largest ") + of, preset}, low ? least : largest,
+    Finding finding = compare_level({row, (low ? "least " : "largest ") + of}, low ? least : largest,
                                     low ? range.least : range.largest);
-    if (finding.detail.empty()) finding.detail = range.detail;
+    if (finding.verdict == Verdict::differs)
+      finding.detail = "belongs to " + (low ? range.least_run : range.largest_run);
+    if (!range.partial.empty()) finding.detail += (finding.detail.empty() ? "" : "; ") + range.partial;
     findings.push_back(std::move(finding));
   }
 }
@@ -61,8 +67,7 @@ constexpr double by_far = 1.5;
 
 Finding dominance(const StudyView& study) {
   const Value first = study.index("sand", hardening);
-  Finding finding =
-      not_run({"S2", "H dominates by far", study.preset()}, "by far the largest SI", "5.2", first.missing);
+  Finding finding = not_run({"S2", "H dominates by far"}, "by far the largest SI", "5.2", first.missing);
   finding.check = fmt::format("order: {:g} times the next", by_far);
   if (!first) return finding;
   double next = 0.0;
@@ -86,8 +91,7 @@ Finding dominance(const StudyView& study) {
 
 Finding several_above(const StudyView& study) {
   const RankingComparison known = compare(study, sand_ranking);
-  Finding finding = not_run({"S3", "parameters with SI > 0.2", study.preset()}, "several", "6.3",
-                            fmt::format("{}", fmt::join(known.missing, "; ")));
+  Finding finding = not_run({"S3", "parameters with SI > 0.2"}, "several", "6.3", known.missing);
   if (known.levels == 0) return finding;
   int count = 0;
   for (const Group& group : sand_ranking.groups)
@@ -120,46 +124,41 @@ std::vector<Finding> sand_findings(const Studies& studies) {
   const StudyView flexible(studies, flexible_study);
   std::vector<Finding> findings;
   add_range(findings, "S1", "average q<sub>c</sub>, all but H = 75", range(rigid, "sand", hardening),
-            sand_least, sand_largest, rigid.preset());
-  findings.push_back(compare_level({"S2", "average q<sub>c</sub>, H = 75", rigid.preset()}, sand_hard,
+            sand_least, sand_largest);
+  findings.push_back(compare_level({"S2", "average q<sub>c</sub>, H = 75"}, sand_hard,
                                    rigid.q_c("sand", hardening, Bound::upper)));
   findings.push_back(dominance(rigid));
   compare_ranking(findings, "S3", sand_ranking, rigid);
   findings.push_back(several_above(rigid));
-  findings.push_back(show({"S3", "|SI| of the chamber's radius", rigid.preset()}, radius_index,
-                          size(rigid.index("sand", radius)), 3, ""));
   findings.push_back(
-      show({"S3", "SI<sub>noise</sub>", rigid.preset()}, noise_sand, rigid.noise("sand"), 4, ""));
-  findings.push_back(compare_sign({"S4", "rigid wall: σ'<sub>h0</sub> 15 → 35 kPa", rigid.preset()},
+      show({"S3", "|SI| of the chamber's radius"}, radius_index, size(rigid.index("sand", radius)), 3, ""));
+  findings.push_back(show({"S3", "SI<sub>noise</sub>"}, noise_sand, rigid.noise("sand"), 4, ""));
+  findings.push_back(compare_sign({"S4", "rigid wall: σ'<sub>h0</sub> 15 → 35 kPa"},
                                   "q<sub>c</sub> falls very slightly", "5.2", Sign::falls,
                                   on_raising(rigid)));
-  findings.push_back(compare_sign({"S4", "rigid wall: radius 0.45 → 0.30 m", rigid.preset()},
-                                  "q<sub>c</sub> rises slightly", "5.2", Sign::rises, on_shrinking(rigid)));
-  findings.push_back(compare_sign({"S5", "flexible wall: σ'<sub>h0</sub> 15 → 35 kPa", flexible.preset()},
+  findings.push_back(compare_sign({"S4", "rigid wall: radius 0.45 → 0.30 m"}, "q<sub>c</sub> rises slightly",
+                                  "5.2", Sign::rises, on_shrinking(rigid)));
+  findings.push_back(compare_sign({"S5", "flexible wall: σ'<sub>h0</sub> 15 → 35 kPa"},
                                   "q<sub>c</sub> rises clearly", "5.2", Sign::rises, on_raising(flexible)));
-  findings.push_back(compare_sign({"S5", "flexible wall: radius 0.45 → 0.30 m", flexible.preset()},
-                                  "q<sub>c</sub> falls", "5.2", Sign::falls, on_shrinking(flexible)));
-  findings.push_back(
-      compare_less({"S5", "|SI| of σ'<sub>h0</sub>, rigid against flexible wall", flexible.preset()},
-                   "far less with the rigid wall", "5.2", size(rigid.index("sand", sigma_h0)),
-                   size(flexible.index("sand", sigma_h0)), 0.5));
+  findings.push_back(compare_sign({"S5", "flexible wall: radius 0.45 → 0.30 m"}, "q<sub>c</sub> falls", "5.2",
+                                  Sign::falls, on_shrinking(flexible)));
+  findings.push_back(compare_less({"S5", "|SI| of σ'<sub>h0</sub>, rigid against flexible wall"},
+                                  "far less with the rigid wall", "5.2", size(rigid.index("sand", sigma_h0)),
+                                  size(flexible.index("sand", sigma_h0)), 0.5));
   return findings;
 }
 
 std::vector<Finding> clay_findings(const Studies& studies) {
   const StudyView study(studies, clay_study);
   std::vector<Finding> findings;
-  findings.push_back(compare_level({"C1", "average q<sub>c</sub>, baseline", study.preset()}, clay_baseline,
-                                   study.baseline("clay")));
-  add_range(findings, "C1", "average q<sub>c</sub>", range(study, "clay"), clay_least, clay_largest,
-            study.preset());
+  findings.push_back(
+      compare_level({"C1", "average q<sub>c</sub>, baseline"}, clay_baseline, study.baseline("clay")));
+  add_range(findings, "C1", "average q<sub>c</sub>", range(study, "clay"), clay_least, clay_largest);
   compare_ranking(findings, "C2", clay_ranking, study);
   findings.push_back(compare_sign(
-      {"C2", "σ'<sub>h0</sub> 15 → 35 kPa", study.preset()}, "q<sub>c</sub> rises slightly", "5.2",
-      Sign::rises,
+      {"C2", "σ'<sub>h0</sub> 15 → 35 kPa"}, "q<sub>c</sub> rises slightly", "5.2", Sign::rises,
       relative_change(study.q_c("clay", sigma_h0, Bound::lower), study.q_c("clay", sigma_h0, Bound::upper))));
-  findings.push_back(
-      show({"C2", "SI<sub>noise</sub>", study.preset()}, noise_clay, study.noise("clay"), 4, ""));
+  findings.push_back(show({"C2", "SI<sub>noise</sub>"}, noise_clay, study.noise("clay"), 4, ""));
   return findings;
 }
 

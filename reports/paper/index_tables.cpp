@@ -37,35 +37,53 @@ std::optional<results::WindowNoise> noise_at(const Snapshot& campaign, const res
   return results::window_noise(*curve, {window.from_m, window.to_m});
 }
 
-std::string si_cell(const SensitivityRow& row) {
-  return std::isfinite(row.si) ? decimals(row.si, 3) : std::string("–");
+// "0.524 ± 0.012", or why there is none.
+std::string index_cell(const Snapshot& s, const SensitivityRow& row) {
+  if (!std::isfinite(row.si)) return row.note.empty() ? "–" : row.note;
+  const auto half = index_interval(s, row.window, row.parameter);
+  return decimals(row.si, 3) + (half ? " ± " + decimals(*half, 3) : "");
 }
 
-std::string window_table(const Snapshot& s, const StudyView& view, std::string_view study,
-                         const results::WindowRow& window) {
+std::string index_beside(const StudyView& beside, const SensitivityRow& row) {
+  const Value index = beside.index(row.window, row.parameter);
+  return index ? decimals(index.number, 3) : "–";
+}
+
+std::string above(const SensitivityRow& row) {
+  return row.above_noise ? (*row.above_noise ? "yes" : "no") : "–";
+}
+
+std::string window_table(const StudyView& view, const results::WindowRow& window, const Ranking* ranking,
+                         const StudyView* beside) {
+  const Snapshot& s = *view.snapshot();
   std::vector<SensitivityRow> rows = sensitivity_in(s, window.name);
   std::stable_sort(rows.begin(), rows.end(), [](const SensitivityRow& a, const SensitivityRow& b) {
     return (std::isfinite(a.si_abs) ? a.si_abs : -1.0) > (std::isfinite(b.si_abs) ? b.si_abs : -1.0);
   });
-  const Ranking* ranking = ranking_of(study, window.name);
-  const Value noise = view.noise(window.name);
-  std::string out = fmt::format("\n### {}, window {}\n\n", study, window.name);
+  std::string out = fmt::format("\n### {}, window {}\n\n", s.campaign.name, window.name);
   if (window.problem.empty())
     out += fmt::format("{}, baseline {} kPa, SI<sub>noise</sub> {}.\n\n",
                        depth_range(window.from_m, window.to_m), number(view.baseline(window.name).number, 4),
-                       decimals(noise.number, 4));
+                       decimals(view.noise(window.name).number, 4));
   else
     out += window.problem + ".\n\n";
-  out += table_head({"parameter", "bounds", "q<sub>c</sub> lower (kPa)", "q<sub>c</sub> upper (kPa)", "SI",
-                     "95 % interval", "above SI<sub>noise</sub>", "the paper says", "note"});
+  std::vector<std::string> columns = {"parameter", "bounds", "q<sub>c</sub> (kPa)", "SI"};
+  if (beside != nullptr)
+    columns.push_back("SI beside" + (beside->snapshot() != nullptr
+                                         ? ", " + beside->snapshot()->campaign.preset
+                                         : std::string()));
+  columns.push_back("above noise");
+  if (ranking != nullptr) columns.push_back("the paper's group");
+  out += table_head(columns);
   for (const SensitivityRow& row : rows) {
     const results::ParameterRow& p = parameter_of(s, row.parameter);
-    const auto half = index_interval(s, window.name, row.parameter);
-    out += table_line({html(symbol_of(s, p) + unit_of(p)), p.lower_text + " – " + p.upper_text,
-                       number(row.q_lower_kPa, 4), number(row.q_upper_kPa, 4), si_cell(row),
-                       half ? "±" + decimals(*half, 3) : std::string("–"),
-                       row.above_noise ? (*row.above_noise ? "yes" : "no") : "–",
-                       std::string(ranking != nullptr ? words_for(*ranking, row.parameter) : ""), row.note});
+    std::vector<std::string> cells = {
+        html(symbol_of(s, p) + unit_of(p)), p.lower_text + " to " + p.upper_text,
+        number(row.q_lower_kPa, 4) + " to " + number(row.q_upper_kPa, 4), index_cell(s, row)};
+    if (beside != nullptr) cells.push_back(index_beside(*beside, row));
+    cells.push_back(above(row));
+    if (ranking != nullptr) cells.push_back(group_of(*ranking, row.parameter));
+    out += table_line(cells);
   }
   return out;
 }
@@ -89,13 +107,15 @@ std::optional<double> index_interval(const Snapshot& campaign, std::string_view 
   return results::index_uncertainty(row->q_lower_kPa * kPa, *lower, row->q_upper_kPa * kPa, *upper);
 }
 
-std::string index_tables(const Studies& studies) {
+std::string index_tables(const Studies& studies, const Studies* beside) {
+  const Studies none;
   std::string out;
   for (const std::string_view name : study_names()) {
     const StudyView view(studies, name);
     if (view.snapshot() == nullptr) continue;
+    const StudyView other(beside != nullptr ? *beside : none, name);
     for (const results::WindowRow& window : view.snapshot()->windows)
-      out += window_table(*view.snapshot(), view, name, window);
+      out += window_table(view, window, ranking_of(name, window.name), beside != nullptr ? &other : nullptr);
   }
   return out;
 }

@@ -14,7 +14,8 @@ namespace cpt::reports::paper {
 [[nodiscard]] std::optional<double> index_interval(const results::Snapshot& campaign, std::string_view window,
                                                    std::string_view parameter);
 
-/// One table a study and window, largest |SI| first, with the paper's words for each parameter.
-[[nodiscard]] std::string index_tables(const Studies& studies);
+/// One table a study and window, largest |SI| first, with the paper's group of each parameter. The indices of
+/// `beside` have a column of their own.
+[[nodiscard]] std::string index_tables(const Studies& studies, const Studies* beside = nullptr);
 
 }  // namespace cpt::reports::paper

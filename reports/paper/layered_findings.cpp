@@ -47,36 +47,32 @@ Value mean_index(const StudyView& study, std::string_view window, const Ranking&
 
 std::vector<Finding> layered_findings(const Studies& studies) {
   const StudyView study(studies, layered_study);
-  const std::string preset = study.preset();
   std::vector<Finding> findings;
   compare_ranking(findings, "L1", embedded_sand_ranking, study);
-  findings.push_back(compare_level({"L1", "least q<sub>c</sub> about the peak, baseline", preset}, peak_least,
+  findings.push_back(compare_level({"L1", "least q<sub>c</sub> about the peak, baseline"}, peak_least,
                                    in_window(study, in_sand, true)));
-  findings.push_back(compare_level({"L1", "largest q<sub>c</sub> about the peak, baseline", preset},
-                                   peak_largest, in_window(study, in_sand, false)));
-  findings.push_back(
-      show({"L1", "depth of the peak", preset}, peak_depth, window_centre(study, in_sand), 4, " m"));
-  findings.push_back(
-      show({"L1", "SI<sub>noise</sub>", preset}, noise_embedded_sand, study.noise(in_sand), 4, ""));
+  findings.push_back(compare_level({"L1", "largest q<sub>c</sub> about the peak, baseline"}, peak_largest,
+                                   in_window(study, in_sand, false)));
+  findings.push_back(show({"L1", "depth of the peak"}, peak_depth, window_centre(study, in_sand), 4, " m"));
+  findings.push_back(show({"L1", "SI<sub>noise</sub>"}, noise_embedded_sand, study.noise(in_sand), 4, ""));
   compare_ranking(findings, "L2", embedded_clay_ranking, study);
   findings.push_back(
-      show({"L2", "depth of the trough", preset}, trough_depth, window_centre(study, in_clay), 4, " m"));
-  findings.push_back(
-      show({"L2", "SI<sub>noise</sub>", preset}, noise_embedded_clay, study.noise(in_clay), 4, ""));
+      show({"L2", "depth of the trough"}, trough_depth, window_centre(study, in_clay), 4, " m"));
+  findings.push_back(show({"L2", "SI<sub>noise</sub>"}, noise_embedded_clay, study.noise(in_clay), 4, ""));
 
   const StudyView sand(studies, sand_study), clay(studies, clay_study);
-  findings.push_back(compare_less(
-      {"L3", "mean |SI| of the sand study's parameters: embedded against homogeneous sand", preset},
-      "embedded layers are less sensitive", "6.1", mean_index(study, in_sand, sand_ranking),
-      mean_index(sand, "sand", sand_ranking)));
-  findings.push_back(compare_less(
-      {"L3", "mean |SI| of the clay study's parameters: embedded against homogeneous clay", preset},
-      "embedded layers are less sensitive", "6.1", mean_index(study, in_clay, clay_ranking),
-      mean_index(clay, "clay", clay_ranking)));
-  findings.push_back(compare_less(
-      {"L3", "mean |SI| of all parameters: embedded sand against embedded clay", preset},
-      "embedded sand is less sensitive than embedded clay", "6.1",
-      mean_index(study, in_sand, embedded_sand_ranking), mean_index(study, in_clay, embedded_clay_ranking)));
+  findings.push_back(
+      compare_less({"L3", "mean |SI| of the sand study's parameters: embedded against homogeneous sand"},
+                   "embedded layers are less sensitive", "6.1", mean_index(study, in_sand, sand_ranking),
+                   mean_index(sand, "sand", sand_ranking)));
+  findings.push_back(
+      compare_less({"L3", "mean |SI| of the clay study's parameters: embedded against homogeneous clay"},
+                   "embedded layers are less sensitive", "6.1", mean_index(study, in_clay, clay_ranking),
+                   mean_index(clay, "clay", clay_ranking)));
+  findings.push_back(compare_less({"L3", "mean |SI| of all parameters: embedded sand against embedded clay"},
+                                  "embedded sand is less sensitive than embedded clay", "6.1",
+                                  mean_index(study, in_sand, embedded_sand_ranking),
+                                  mean_index(study, in_clay, embedded_clay_ranking)));
   return findings;
 }
 

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/paper/studies.hpp"
+#include "reports/paper/causes.hpp"
+#include "reports/paper/pushes.hpp"
 
 namespace cpt::reports::paper {
 
@@ -20,10 +21,10 @@ struct FigureGroup {
   std::vector<LinkedFigure> figures;
 };
 
-/// What was run, every finding, what differs or is missing, the sensitivity indices, figures, and how the
-/// numbers were made. With `beside`, the same findings of other campaigns, such as finer ones, have columns
-/// of their own.
-[[nodiscard]] std::string page(const Studies& studies, const std::vector<FigureGroup>& figures,
-                               const Studies* beside = nullptr);
+/// Every result of the paper with ours and a verdict, causes of what differs, the sensitivity indices,
+/// figures, what was run, and how the checks are made. With `beside`, the numbers of the same studies run
+/// otherwise, such as coarser, have columns of their own.
+[[nodiscard]] std::string page(const Runs& runs, const std::vector<Cause>& causes,
+                               const std::vector<FigureGroup>& figures, const Runs* beside = nullptr);
 
 }  // namespace cpt::reports::paper

@@ -14,6 +14,8 @@ struct Published {
   std::string_view section;
 };
 
+inline constexpr double cone_radius = 0.01265;  // [m] section 3.1
+
 // Section 5.1: noise of the baseline inside the window.
 inline constexpr Published noise_sand{0.0127, "5.1"};           // [-]
 inline constexpr Published noise_clay{0.0132, "5.1"};           // [-]
@@ -39,7 +41,9 @@ inline constexpr Published density_effect{0.10, "6.3.2"};     // [-] D_R 60 to 6
 inline constexpr Published measured_rise{0.26, "6.3"};        // [-] of q_c from the first to the second push
 inline constexpr Published wall_sigma_v{0.20, "6.3.1"};       // [-] largest rise at the wall, "up to about"
 inline constexpr Published wall_sigma_h{2.40, "6.3.1"};       // [-] the same
-inline constexpr Published altered_radius{0.24, "6.3.2"};     // [m] void ratio altered up to here, "about"
+inline constexpr Published wall_ratio_start{0.5, "6.3.1"};    // [-] sigma'_h / sigma'_v at the wall
+inline constexpr Published wall_ratio{1.0, "6.3.1"};          // [-] "much closer to" this at the end
+inline constexpr Published altered_to{0.24, "6.3.2"};         // [m] void ratio altered up to here, "about"
 inline constexpr Published least_void_ratio{0.669, "6.3.2"};  // [-] at the end of the push
 
 /// Where a group of parameters stands against SI_noise.

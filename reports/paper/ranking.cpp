@@ -22,13 +22,15 @@ RankingComparison compare(const StudyView& study, const Ranking& ranking) {
   RankingComparison result;
   std::vector<Placed> placed;
   const Value noise = study.noise(ranking.window);
+  std::size_t without = 0;
+  std::string reason;
   for (std::size_t g = 0; g < ranking.groups.size(); ++g) {
     const Group& group = ranking.groups[g];
     for (const std::string_view parameter : group.parameters) {
       const Value index = study.index(ranking.window, parameter);
       if (!index) {
-        if (std::find(result.missing.begin(), result.missing.end(), index.missing) == result.missing.end())
-          result.missing.push_back(index.missing);
+        ++without;
+        reason = index.missing;
         continue;
       }
       const double size = std::abs(index.number);
@@ -41,6 +43,10 @@ RankingComparison compare(const StudyView& study, const Ranking& ranking) {
         result.off_level.push_back(placed.back().text);
     }
   }
+  const std::size_t all = placed.size() + without;
+  if (without > 0)
+    result.missing =
+        study.snapshot() == nullptr ? reason : fmt::format("{} of {} parameters have no index", without, all);
   for (const Placed& first : placed)
     for (const Placed& second : placed) {
       if (first.group >= second.group) continue;
@@ -50,26 +56,15 @@ RankingComparison compare(const StudyView& study, const Ranking& ranking) {
       else
         result.out_of_order.push_back(fmt::format("{} over {}", second.text, first.text));
     }
-  std::stable_sort(placed.begin(), placed.end(),
-                   [](const Placed& a, const Placed& b) { return a.size > b.size; });
-  for (const Placed& p : placed) result.ours += (result.ours.empty() ? "" : ", ") + p.text;
   return result;
 }
 
-std::string in_words(const StudyView& study, const Ranking& ranking) {
-  std::string text;
-  for (const Group& group : ranking.groups) {
-    text += text.empty() ? "" : " > ";
-    for (const std::string_view& parameter : group.parameters)
-      text += (&parameter == group.parameters.data() ? "" : ", ") + study.symbol(parameter);
-  }
-  return text;
-}
-
-std::string_view words_for(const Ranking& ranking, std::string_view parameter) {
-  for (const Group& group : ranking.groups)
+std::string group_of(const Ranking& ranking, std::string_view parameter) {
+  for (std::size_t g = 0; g < ranking.groups.size(); ++g) {
+    const Group& group = ranking.groups[g];
     if (std::find(group.parameters.begin(), group.parameters.end(), parameter) != group.parameters.end())
-      return group.words;
+      return fmt::format("{}: {}", g + 1, html(symbolic(group.words)));
+  }
   return {};
 }
 

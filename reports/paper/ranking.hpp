@@ -17,16 +17,12 @@ struct RankingComparison {
   int levels = 0;                         ///< parameters with an index and a noise floor
   int at_level = 0;                       ///< of these, on the side of SI_noise that the paper puts them on
   std::vector<std::string> off_level;     ///< Markdown: "ν (0.02)"
-  std::vector<std::string> missing;       ///< why parameters have no index; each reason once
-  std::string ours;                       ///< Markdown: parameters by size of SI, largest first
+  std::string missing;                    ///< what is known of parameters without an index; may be empty
 };
 
 [[nodiscard]] RankingComparison compare(const StudyView& study, const Ranking& ranking);
 
-/// Markdown: "H > Dᵣ, χ > λ".
-[[nodiscard]] std::string in_words(const StudyView& study, const Ranking& ranking);
-
-/// The paper's words for a parameter; empty if it names none.
-[[nodiscard]] std::string_view words_for(const Ranking& ranking, std::string_view parameter);
+/// Number of a parameter's group and the paper's words for it, "2: less significant"; empty if it is in none.
+[[nodiscard]] std::string group_of(const Ranking& ranking, std::string_view parameter);
 
 }  // namespace cpt::reports::paper

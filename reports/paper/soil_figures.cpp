@@ -81,17 +81,12 @@ XyCurve critical_state(double lambda, double from_kPa, double to_kPa, const Pen&
   return made;
 }
 
-void heading(Svg& svg, std::string_view title, const Rich& line) {
-  svg.text({8.0, 17.0}, plain(title), {.size = 10.0, .bold = true});
-  svg.text({8.0, 29.5}, line, {.size = 8.0, .color = palette::muted});
-}
-
 Rich pressure_label(double p_0) { return symbolic("p'_0 ") + plain(fmt::format("= {:g} kPa", p_0 / kPa)); }
 
 std::string critical_state_figure() {
   Svg svg(figure_width, 290.0, "critical_state");
-  heading(svg, "Critical state line, loose sand",
-          symbolic("drained triaxial tests at D_R = 1 % under the line and its bounds"));
+  draw_heading(svg, "Critical state line, loose sand",
+               symbolic("drained triaxial tests at D_R = 1 % under the line and its bounds"));
   XyPlot plot{symbolic("p' (kPa)"), plain("e"), {}, true};
   const Pen bound{palette::muted, 0.8, "4 2"}, baseline{palette::ink, 1.2, {}};
   for (const double lambda : slopes)
@@ -112,8 +107,8 @@ std::string critical_state_figure() {
 std::string triaxial_figure() {
   constexpr double panel = 120.0, pitch_x = 182.0, pitch_y = 178.0;
   Svg svg(3.0 * pitch_x + 14.0, 70.0 + 3.0 * pitch_y, "triaxial");
-  heading(svg, "Drained triaxial tests",
-          symbolic("sand of Table 2 at its three densities; H = 25 solid, H = 75 dashed"));
+  draw_heading(svg, "Drained triaxial tests",
+               symbolic("sand of Table 2 at its three densities; H = 25 solid, H = 75 dashed"));
   for (std::size_t row = 0; row < densities.size(); ++row) {
     XyPlot stress{symbolic("ε_a (%)"), plain("q (MPa)"), {}};
     XyPlot volume{symbolic("ε_a (%)"), symbolic("ε_v (%)"), {}};
@@ -145,7 +140,8 @@ std::string triaxial_figure() {
 
 std::string oedometer_figure() {
   Svg svg(figure_width, 290.0, "oedometer");
-  heading(svg, "Oedometer", symbolic("sand of Table 2 at D_R = 36 %, from σ'_v = 20 kPa with K_0 = 0.5"));
+  draw_heading(svg, "Oedometer",
+               symbolic("sand of Table 2 at D_R = 36 %, from σ'_v = 20 kPa with K_0 = 0.5"));
   constexpr std::array values = {25.0, 50.0, 75.0};
   XyPlot plot{symbolic("σ'_v (kPa)"), plain("e"), {}, true};
   for (std::size_t k = 0; k < values.size(); ++k)
@@ -170,6 +166,10 @@ std::vector<NamedFigure> soil_figures() {
            "Simulated drained triaxial tests on dense, medium dense and loose sand (Fig. 6, without its "
            "measurements).",
            triaxial_figure()},
+          {"hardening",
+           "H that the calibration finds from simulated triaxial tests of known H, over the state parameter "
+           "before shearing (the method of Fig. 7, without its measurements).",
+           hardening_figure()},
           {"oedometer", "Simulated oedometer test for several H (Fig. 8, without its measurements).",
            oedometer_figure()}};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "reports/labels.hpp"
 
@@ -29,8 +30,8 @@ std::string why_not(const results::RealizationRow* run) {
 }  // namespace
 
 std::vector<std::string_view> study_names() {
-  return {sand_study,        clay_study,           layered_study,    flexible_study,
-          dense_rigid_study, dense_flexible_study, second_push_study};
+  return {sand_study,        clay_study,           layered_study,     flexible_study,
+          dense_rigid_study, dense_flexible_study, second_push_study, image_pressure_study};
 }
 
 Studies read_studies(const std::filesystem::path& folder) {
@@ -47,6 +48,12 @@ Studies read_studies(const std::filesystem::path& folder) {
   return studies;
 }
 
+std::string presets_of(const Studies& studies) {
+  std::set<std::string> presets;
+  for (const auto& [name, study] : studies) presets.insert(study.campaign.preset);
+  return fmt::format("{}", fmt::join(presets, " and "));
+}
+
 StudyView::StudyView(const Studies& studies, std::string_view name) : name_(name) {
   const auto found = studies.find(name);
   snapshot_ = found == studies.end() ? nullptr : &found->second;
@@ -55,8 +62,6 @@ StudyView::StudyView(const Studies& studies, std::string_view name) : name_(name
 Value StudyView::missing(std::string why) const {
   return {nan, snapshot_ == nullptr ? name_ + " has not been run" : fmt::format("{}: {}", name_, why)};
 }
-
-std::string StudyView::preset() const { return snapshot_ == nullptr ? "" : snapshot_->campaign.preset; }
 
 const results::WindowRow* StudyView::window(std::string_view name) const {
   return snapshot_ == nullptr ? nullptr : find_named(snapshot_->windows, name);
@@ -73,8 +78,7 @@ Value StudyView::q_c(std::string_view window, std::string_view parameter, Bound 
   if (snapshot_ == nullptr) return missing({});
   const results::RealizationRow* run = baseline_run(*snapshot_);
   if (bound != Bound::baseline) {
-    if (find_named(snapshot_->parameters, parameter) == nullptr)
-      return missing(fmt::format("has no row {}", parameter));
+    if (this->parameter(parameter) == nullptr) return missing(fmt::format("has no row {}", parameter));
     // A bound without a realization of its own equals the baseline.
     const auto* own = bound_run(*snapshot_, parameter, bound == Bound::lower ? "lower" : "upper");
     if (own != nullptr) run = own;
@@ -102,9 +106,12 @@ Value StudyView::noise(std::string_view window) const {
   return missing("q_c of the baseline is not positive");
 }
 
+const results::ParameterRow* StudyView::parameter(std::string_view name) const {
+  return snapshot_ == nullptr ? nullptr : find_named(snapshot_->parameters, name);
+}
+
 std::string StudyView::symbol(std::string_view parameter) const {
-  const results::ParameterRow* row =
-      snapshot_ == nullptr ? nullptr : find_named(snapshot_->parameters, parameter);
+  const results::ParameterRow* row = this->parameter(parameter);
   return row == nullptr ? std::string(parameter) : html(symbol_of(*snapshot_, *row));
 }
 

@@ -20,6 +20,7 @@ inline constexpr std::string_view flexible_study = "sand_flexible";
 inline constexpr std::string_view dense_rigid_study = "dense_rigid";
 inline constexpr std::string_view dense_flexible_study = "dense_flexible";
 inline constexpr std::string_view second_push_study = "second_push";
+inline constexpr std::string_view image_pressure_study = "image_pressure";
 [[nodiscard]] std::vector<std::string_view> study_names();
 
 /// Snapshots by study name; a study that has not been run has none.
@@ -28,6 +29,9 @@ using Studies = std::map<std::string, results::Snapshot, std::less<>>;
 /// Reads FOLDER/NAME.sqlite of every study that is there. Throws results::Error if one cannot be read, or if
 /// the folder holds none.
 [[nodiscard]] Studies read_studies(const std::filesystem::path& folder);
+
+/// The presets they were run at: "paper", "paper and quick".
+[[nodiscard]] std::string presets_of(const Studies& studies);
 
 /// A number of a study, or why there is none.
 struct Value {
@@ -45,7 +49,6 @@ class StudyView {
   StudyView(const Studies& studies, std::string_view name);
 
   [[nodiscard]] const results::Snapshot* snapshot() const { return snapshot_; }
-  [[nodiscard]] std::string preset() const;
   /// Average q_c [kPa] in a window at a parameter's bound; `parameter` does not matter for the baseline.
   [[nodiscard]] Value q_c(std::string_view window, std::string_view parameter, Bound bound) const;
   [[nodiscard]] Value baseline(std::string_view window) const { return q_c(window, {}, Bound::baseline); }
@@ -55,6 +58,8 @@ class StudyView {
   /// Row of the view `sensitivity`; nullptr if there is none.
   [[nodiscard]] const results::SensitivityRow* row(std::string_view window, std::string_view parameter) const;
   [[nodiscard]] const results::WindowRow* window(std::string_view name) const;
+  /// Row of the study's table; nullptr if there is none.
+  [[nodiscard]] const results::ParameterRow* parameter(std::string_view name) const;
   /// Markdown: a parameter's symbol.
   [[nodiscard]] std::string symbol(std::string_view parameter) const;
 

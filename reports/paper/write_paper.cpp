@@ -6,8 +6,8 @@
 
 namespace cpt::reports::paper {
 
-std::vector<std::filesystem::path> write_paper(const Studies& studies, const std::filesystem::path& page_file,
-                                               const Studies* beside) {
+std::vector<std::filesystem::path> write_paper(const Runs& runs, const std::vector<Cause>& causes,
+                                               const std::filesystem::path& page_file, const Runs* beside) {
   const std::filesystem::path name = page_file.stem();
   const std::filesystem::path folder_of_figures = page_file.parent_path() / name;
   std::vector<std::filesystem::path> files = {page_file};
@@ -26,10 +26,12 @@ std::vector<std::filesystem::path> write_paper(const Studies& studies, const std
   };
   write("Sand in the laboratory", "soil", soil_figures());
   for (const std::string_view study : study_names())
-    if (const auto found = studies.find(study); found != studies.end())
+    if (const auto found = runs.studies.find(study); found != runs.studies.end())
       write(found->second.campaign.title, std::string(study), campaign_figures(found->second));
-  write("Walls and second push", "chamber", chamber_figures(studies));
-  write_text(page_file, page(studies, groups, beside));
+  std::vector<NamedFigure> chamber = chamber_figures(runs.studies);
+  for (NamedFigure& figure : push_figures(runs.pushes)) chamber.push_back(std::move(figure));
+  write("Walls, second push, void ratio", "chamber", chamber);
+  write_text(page_file, page(runs, causes, groups, beside));
   return files;
 }
 

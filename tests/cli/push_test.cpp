@@ -51,6 +51,23 @@ TEST(Push, GivesTheSameProfileAsAnyOtherRunOfTheRealization) {
   EXPECT_EQ(folder.read("watched/small-3-radial.csv"), folder.read("plain/small-3-radial.csv"));
 }
 
+TEST(Push, KeepsWhatItHasRecordedAlready) {
+  const StudyFolder folder;
+  const auto again = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--keep", "--out", folder.file("out")});
+    const Result result = run(push(folder, more));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.out;
+  };
+  expect_has(again({"--track", "0.02,0.1"}), "realization 1 of small: completed");
+  expect_has(again({"--track", "0.02,0.1"}), "realization 1 of small: kept as it is");
+  expect_has(again({"--track", "0.03,0.1"}), "completed");
+  expect_has(again({"--track", "0.03,0.1", "--set", "sand.H=30"}), "completed");
+  expect_has(again({"--track", "0.03,0.1", "--set", "sand.H=30", "--threads", "1"}), "kept as it is");
+  folder.write("out/small-histories.h5", "damaged");
+  expect_has(again({"--track", "0.03,0.1", "--set", "sand.H=30"}), "completed");
+}
+
 TEST(Push, UnusableFolderIsExitCode6) {
   const StudyFolder folder;
   folder.write("file", "no folder");

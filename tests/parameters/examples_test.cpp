@@ -36,6 +36,7 @@ TEST(Examples, HaveTheRealizationsOfThePaper) {
   expect_study("paper/dense_rigid.toml", Profile::homogeneous_sand, Preset::paper, 3);
   expect_study("paper/dense_flexible.toml", Profile::homogeneous_sand, Preset::paper, 2);
   expect_study("paper/second_push.toml", Profile::homogeneous_sand, Preset::paper, 2);
+  expect_study("paper/image_pressure.toml", Profile::homogeneous_sand, Preset::paper, 3);
 }
 
 // Yost et al. (2023), sections 6.2 and 6.3: what the chamber's studies change, and nothing else.
@@ -54,6 +55,10 @@ TEST(Examples, ChamberStudiesDifferFromEachOtherAsThePaperSays) {
   setup.initial.sigma_h0 = 60.0e3;
   EXPECT_EQ(solver::canonical_text(second.baseline), solver::canonical_text(setup));
   const Study homogeneous = example("paper/homogeneous_sand.toml");
+  setup = homogeneous.baseline;
+  setup.sand.OCR = 2.0;
+  EXPECT_EQ(solver::canonical_text(example("paper/image_pressure.toml").baseline),
+            solver::canonical_text(setup));
   setup = homogeneous.baseline;
   setup.chamber.wall = solver::Wall::flexible;
   EXPECT_EQ(solver::canonical_text(example("paper/sand_flexible.toml").baseline),

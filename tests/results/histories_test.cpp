@@ -83,6 +83,7 @@ class HistoryFile : public ScratchFolder {
     written.origin["study"] = "sand";
     written.origin["setup"] = "a = 1\nb = 2\n";
     written.profile = curve(1e6);
+    written.end = soil_at_end(chamber(), chamber());
   }
   Histories written;
 };
@@ -94,6 +95,8 @@ TEST_F(HistoryFile, IsReadBackBitForBit) {
   EXPECT_EQ(read.points, written.points);
   EXPECT_EQ(read.walls, written.walls);
   EXPECT_EQ(read.profile.q_c, written.profile.q_c);
+  EXPECT_EQ(read.end.r.size(), 6U) << "the surcharge is no soil";
+  EXPECT_EQ(read.end, written.end);
   EXPECT_EQ(read.origin.at("study"), "sand");
   EXPECT_EQ(read.origin.at("setup"), "a = 1\nb = 2\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "h.h5.tmp"));
@@ -106,6 +109,7 @@ TEST_F(HistoryFile, MayHoldNothingButTheProfile) {
   const Histories read = read_histories(folder / "h.h5");
   EXPECT_TRUE(read.points.empty());
   EXPECT_TRUE(read.walls.empty());
+  EXPECT_TRUE(read.end.r.empty());
   EXPECT_TRUE(read.tip_depth.empty());
   EXPECT_EQ(read.profile.f_s, written.profile.f_s);
 }

@@ -23,7 +23,7 @@ TEST(RadialProfile, AveragesRingsByVolumeBetweenTheDepths) {
   now[1].volume = 3.0;
   now[1].e = 0.6;
   now[3].e = 0.2;
-  const Table table = radial_profile(start, now, {0.2, 0.4}, 0.1);
+  const Table table = ring_table(radial_profile(soil_at_end(start, now), {0.2, 0.4}, 0.1));
   ASSERT_EQ(table.rows.size(), 2U);
   ASSERT_EQ(table.columns[4], "void_ratio_change");
   EXPECT_EQ(std::get<std::int64_t>(table.rows[0][1]), 2);

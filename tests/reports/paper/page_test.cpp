@@ -35,7 +35,7 @@ TEST(PaperPage, LinksOnlyFilesThatAreThere) {
   std::erase_if(studies, [](const auto& study) {
     return study.first != clay_study && study.first != dense_rigid_study;
   });
-  const auto files = write_paper(studies, campaigns.folder() / "out.md");
+  const auto files = write_paper({studies, {}}, {}, campaigns.folder() / "out.md");
   const std::string text = read(campaigns.folder() / "out.md");
   EXPECT_EQ(files.front(), campaigns.folder() / "out.md");
   std::size_t links = 0;
@@ -45,14 +45,14 @@ TEST(PaperPage, LinksOnlyFilesThatAreThere) {
     EXPECT_TRUE(fs::exists(fs::path(link).replace_extension(".png"))) << link;
     ++links;
   }
-  EXPECT_EQ(links, 3u + 4u + 4u + 2u);  // soil, two studies, the comparisons of the dense sand with itself
+  EXPECT_EQ(links, 4u + 4u + 4u + 2u);  // soil, two studies, the comparisons of the dense sand with itself
   EXPECT_EQ(files.size(), 1u + 2u * links);
 }
 
 TEST(PaperPage, TablesHaveAsManyCellsAsColumns) {
   const PaperCampaigns campaigns({{sand_study, {{13, "crashed"}, {14, "pending"}}}});
-  const Studies studies = campaigns.studies();
-  std::istringstream stream(page(studies, {}, &studies));
+  const Runs runs{campaigns.studies(), {}};
+  std::istringstream stream(page(runs, {}, {}, &runs));
   std::size_t columns = 0;
   int tables = 0;
   for (std::string line; std::getline(stream, line);) {
@@ -69,32 +69,38 @@ TEST(PaperPage, TablesHaveAsManyCellsAsColumns) {
     }
     EXPECT_EQ(cells, columns) << line;
   }
-  EXPECT_EQ(tables, 3 + 8);  // runs here and beside, findings, indices by study and window
+  EXPECT_EQ(tables, 4 + 8 + 1 + 2);  // findings, indices by study and window, what the text lacks, runs
 }
 
 TEST(PaperPage, SaysWhatWasRunAndAtWhichPreset) {
   const PaperCampaigns campaigns;
   Studies studies = campaigns.studies();
   studies.erase(studies.find(layered_study));
-  const std::string text = page(studies, {});
+  const std::string text = page({studies, {}}, {}, {});
   EXPECT_TRUE(has(text, "| homogeneous_sand | quick | 21 of 21 realizations completed |"));
   EXPECT_TRUE(has(text, "| layered |  | not run |"));
   EXPECT_TRUE(has(text, "at another resolution than the paper's"));
   EXPECT_TRUE(has(text, "8542 kPa"));
-  EXPECT_TRUE(has(text, "by far the parameter dominating"));
+  EXPECT_TRUE(has(text, "1: by far the parameter dominating"));
   EXPECT_FALSE(has(text, "nan"));
 }
 
-TEST(PaperPage, OtherCampaignsHaveColumnsOfTheirOwn) {
+TEST(PaperPage, OtherRunsHaveColumnsOfTheirOwn) {
   const PaperCampaigns campaigns;
-  const Studies studies = campaigns.studies();
-  Studies fine = studies;
-  for (auto& [name, study] : fine) study.campaign.preset = "standard";
-  for (results::WindowMeanRow& mean : fine.find(clay_study)->second.window_means)
+  const Runs runs{campaigns.studies(), {}};
+  Runs other = runs;
+  for (auto& [name, study] : other.studies) study.campaign.preset = "standard";
+  results::Snapshot& clay = other.studies.find(clay_study)->second;
+  for (results::WindowMeanRow& mean : clay.window_means)
     if (mean.realization == 1) mean.q_c_mean_kPa = 777.0;
-  const std::string text = page(studies, {}, &fine);
+  for (results::SensitivityRow& row : clay.sensitivity)
+    if (row.parameter == "clay.G_kPa") row.si = 0.123;
+  const std::string text = page(runs, {}, {}, &other);
+  EXPECT_TRUE(has(text, "| # | what | paper | § | ours, quick | beside, standard | check | verdict |"));
   const std::string row = text.substr(text.find("| C1 |"), 300);
-  EXPECT_TRUE(has(row.substr(0, row.find('\n')), "| quick | 777.0 kPa | **differs** | standard |")) << row;
+  EXPECT_TRUE(has(row.substr(0, row.find('\n')), "| 777.0 kPa (+194.3 %), **differs** | level")) << row;
+  EXPECT_TRUE(has(text, "| SI | SI beside, standard | above noise |"));
+  EXPECT_TRUE(has(text, " | 0.123 | yes | 1: dominate |"));
 }
 
 TEST(PaperPage, AFolderWithoutCampaignsIsAnError) {
@@ -126,8 +132,8 @@ TEST(PaperFigures, ChamberFiguresNeedTwoCurves) {
 
 TEST(PaperFigures, SoilFiguresShowTheirCurves) {
   const auto figures = soil_figures();
-  ASSERT_EQ(figures.size(), 3u);
-  const std::size_t curves[] = {6, 18 * 3, 3};
+  ASSERT_EQ(figures.size(), 4u);
+  const std::size_t curves[] = {6, 18 * 3, 3, 3};
   for (std::size_t i = 0; i < figures.size(); ++i) {
     ASSERT_TRUE(figures[i].svg);
     EXPECT_FALSE(has(*figures[i].svg, "nan")) << figures[i].name;

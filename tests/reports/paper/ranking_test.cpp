@@ -33,7 +33,6 @@ TEST(Ranking, CountsPairsOfDifferentGroups) {
   EXPECT_EQ(result.levels, 12);
   EXPECT_EQ(result.at_level, 12);
   EXPECT_TRUE(result.out_of_order.empty() && result.off_level.empty() && result.missing.empty());
-  EXPECT_TRUE(result.ours.starts_with("H (0.5")) << result.ours;
 }
 
 TEST(Ranking, NamesWhatIsOutOfOrder) {
@@ -55,8 +54,7 @@ TEST(Ranking, LeavesOutWhatHasNoIndex) {
   const Studies studies = campaigns.studies();
   const RankingComparison result = compare(StudyView(studies, sand_study), sand_ranking);
   EXPECT_EQ(result.pairs, 4 * 7 + 4 * 3);
-  ASSERT_EQ(result.missing.size(), 1u);
-  EXPECT_EQ(result.missing[0], "homogeneous_sand: undefined: upper run failed (crashed)");
+  EXPECT_EQ(result.missing, "1 of 12 parameters have no index");
 }
 
 }  // namespace

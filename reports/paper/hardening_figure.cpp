@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "parameters/calibration/hardening.hpp"
+#include "reports/depth_plot.hpp"
+#include "reports/labels.hpp"
+#include "reports/palette.hpp"
+#include "reports/paper/figures.hpp"
+#include "reports/xy_plot.hpp"
+#include "solver/constitutive/element_test.hpp"
+
+namespace cpt::reports::paper {
+namespace {
+
+constexpr double kPa = 1.0e3;
+
+// Densities of the laboratory's tests (section 4.2), stresses over their range, H over the range that the
+// paper found.
+constexpr std::array densities = {0.80, 0.51, 0.01};
+constexpr std::array pressures = {40.0e3, 160.0e3, 640.0e3};
+constexpr std::array moduli = {25.0, 50.0, 75.0};
+
+// A test as a laboratory would report it: engineering strains, a reading every 0.05 %.
+calibration::TriaxialCurve simulated(double D_r, double p_0, double H) {
+  constexpr double last_strain = 0.05, spacing = 0.0005;
+  solver::ElementTest test;
+  solver::Sand sand;
+  sand.D_r = D_r;
+  sand.H = H;
+  test.material = sand;
+  test.sigma_a = test.sigma_r = p_0;
+  test.max_axial_strain = -std::log1p(-last_strain);
+  test.steps = static_cast<int>(std::lround(last_strain / spacing));
+  calibration::TriaxialCurve curve;
+  curve.p_0 = p_0;
+  curve.D_r = D_r;
+  for (const solver::ElementRow& row : solver::run_element_test(test).rows)
+    curve.readings.push_back({-std::expm1(-row.eps_a), row.q, -std::expm1(-row.eps_v)});
+  return curve;
+}
+
+}  // namespace
+
+std::string hardening_figure() {
+  Svg svg(400.0, 290.0, "hardening");
+  draw_heading(svg, "Calibration of H",
+               symbolic("found from the initial stiffness of simulated tests at D_R = 80, 51, 1 %"));
+  XyPlot plot{symbolic("ψ_0"), plain("H"), {}};
+  plot.room = {{-0.4, 0.0}, {0.1, 100.0}};
+  const Pen known{palette::muted, 0.8, "4 2"};
+  for (const double H : moduli) plot.curves.push_back({{{-0.4, H}, {0.1, H}}, known});
+  for (std::size_t k = 0; k < pressures.size(); ++k) {
+    XyCurve found{{}, {palette::series[k], 1.0, {}}, 2.6};
+    for (std::size_t i = 0; i < densities.size(); ++i) {
+      const double H = moduli[(i + k) % moduli.size()];  // a Latin square: each at each density and stress
+      const auto fit = calibration::fit_hardening(simulated(densities[i], pressures[k], H), solver::Sand{});
+      found.points.push_back({fit.psi_0, fit.H});
+    }
+    plot.curves.push_back(std::move(found));
+  }
+  const Box box{52.0, 44.0, 230.0, 205.0};
+  draw(svg, box, plot);
+  Legend legend{svg, box.right() + 12.0, box.y + 6.0, 95.0};
+  legend.line(plain("known H"), known);
+  for (std::size_t k = 0; k < pressures.size(); ++k)
+    legend.dot(symbolic("p'_0 ") + plain(fmt::format("= {:g} kPa", pressures[k] / kPa)), palette::series[k]);
+  return svg.document("Calibration of H");
+}
+
+}  // namespace cpt::reports::paper
