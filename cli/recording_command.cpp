@@ -115,9 +115,11 @@ void add_recording(CLI::App& program, Action& action) {
       ->required();
   sub->add_option("--column", arguments->columns,
                   "CSV: which column is what, e.g. q_c_MPa=qc; may be repeated")
-      ->type_name("QUANTITY=NAME");
+      ->type_name("QUANTITY=NAME")
+      ->allow_extra_args(false);
   sub->add_option("--void", arguments->options.voids, "CSV: a value that means not measured; may be repeated")
-      ->type_name("X");
+      ->type_name("X")
+      ->allow_extra_args(false);
   sub->add_option("--push", arguments->options.push, "AGS4: which push, where the file holds several")
       ->type_name("LOCA_ID[/SCPG_TESN]");
   sub->add_option("--out", arguments->out, "Figure, .svg or .png [NAME-recording.svg]")->type_name("FILE");

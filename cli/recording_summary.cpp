@@ -41,7 +41,7 @@ Table facts_table(const Recording& r) {
     if (!value.empty()) table.rows.push_back({name, std::string(value), ""});
   };
   const auto number = [&](const char* name, double value, const char* unit) {
-    if (!std::isnan(value)) table.rows.push_back({name, fmt::format("{:.10g}", value), unit});
+    if (!std::isnan(value)) table.rows.push_back({name, value, unit});
   };
   text("file", r.file);
   text("format", name_of(r.format));
@@ -109,8 +109,11 @@ std::string to_read(const Recording& r) {
   std::string text;
   for (const auto& row : facts_table(r).rows) {
     const auto& unit = std::get<std::string>(row[2]);
-    text += fmt::format("{:<15} {}{}{}\n", std::get<std::string>(row[0]), std::get<std::string>(row[1]),
-                        unit.empty() ? "" : " ", unit);
+    const auto* number = std::get_if<double>(&row[1]);
+    const std::string value =
+        number != nullptr ? fmt::format("{:.10g}", *number) : std::get<std::string>(row[1]);
+    text +=
+        fmt::format("{:<15} {}{}{}\n", std::get<std::string>(row[0]), value, unit.empty() ? "" : " ", unit);
   }
   text += '\n';
   text += results::format(quantity_table(r), results::Format::table);
