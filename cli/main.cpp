@@ -30,6 +30,7 @@ constexpr const char* examples = R"(Examples:
   campaign push sens.toml --fields-at 0.5    one push with its stress and density fields for ParaView
   campaign element triaxial --p0_kPa 100     a triaxial test of the sand
   campaign element calibrate cd_160kPa.csv   hardening modulus from a measured one
+  campaign recording sounding.gef            what a measured sounding holds, with its plot
   campaign list quantities                   everything a study can set
 
 )";
@@ -66,7 +67,7 @@ int run_program(int argc, char** argv) {
   program.require_subcommand(1);
   cli::Action action;
   for (const auto add : {cli::add_run, cli::add_rerun, cli::add_query, cli::add_report, cli::add_push,
-                         cli::add_paper, cli::add_element, cli::add_list})
+                         cli::add_paper, cli::add_element, cli::add_recording, cli::add_list})
     add(program, action);
 
   std::vector<std::string> words = command_line(argc, argv, program);

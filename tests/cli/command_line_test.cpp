@@ -23,7 +23,8 @@ TEST(CommandLine, HelpHasExamplesAndExitCodes) {
     expect_has(result.out, "Exit codes:");
     expect_has(result.out, "rerun");
   }
-  for (const char* command : {"run", "rerun", "query", "report", "push", "paper", "element", "list"})
+  for (const char* command :
+       {"run", "rerun", "query", "report", "push", "paper", "element", "recording", "list"})
     EXPECT_EQ(run(campaign({command, "--help"})).exit_code, 0) << command;
 }
 
@@ -62,6 +63,10 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
       {{"push", folder.study(), "--track", "0.02,1.5"}, "must be 0 to 1 m, the soil's bottom"},
       {{"push", folder.study(), "--wall-between", "0.4,0.4"}, "the first depth must be the smaller one"},
       {{"push", folder.study(), "--radial-between", "0.4,0.2"}, "the first depth must be the smaller one"},
+      {{"recording", "/nowhere/a.gef"}, "/nowhere/a.gef: error: found no file that can be read"},
+      {{"recording", "a.csv", "--column", "q_c_MPa"}, "must be QUANTITY=NAME"},
+      {{"recording", "a.csv", "--column", "q_c_m=qc"}, "'q_c_m' is no quantity; known are depth_m"},
+      {{"recording", "a.csv", "--out", "a.jpg"}, "must end in .svg or .png"},
       {{"element", "triaxial", "--set", "sand.Hh=3"}, "did you mean sand.H?"},
       {{"element", "triaxial", "--set", "sand.H"}, "must be NAME=VALUE"},
       {{"element", "triaxial", "--set", "sand.H=much"}, "not a number"},
@@ -154,6 +159,35 @@ TEST(CommandLine, CalibratesHardeningFromWhatTheElementTestMade) {
   EXPECT_EQ(bare.exit_code, 2);
   expect_has(bare.err, "--p0_kPa");
   expect_has(bare.err, "--D_r_percent");
+}
+
+TEST(CommandLine, RecordingIsSummedUpPlottedAndWritten) {
+  const StudyFolder folder;
+  folder.write("chamber.csv", "z_m,tip\n0.1,0.5\n0.2,-9999\n0.3,0.7\n");
+  const auto with = [&](std::vector<std::string> more) {
+    std::vector<std::string> words = {"recording", folder.file("chamber.csv"),
+                                      "--column",  "depth_m=z_m",
+                                      "--column",  "q_c_MPa=tip",
+                                      "--void",    "-9999",
+                                      "--out",     folder.file("plot.svg")};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(campaign(words));
+  };
+  const Result table = with({"--csv", folder.file("readings.csv")});
+  ASSERT_EQ(table.exit_code, 0) << table.err;
+  expect_has(table.out, "rows read       3");
+  expect_has(table.out, "1 row, line 3: q_c is void");
+  expect_has(folder.read("plot.svg"), "<svg");
+  expect_has(folder.read("readings.csv"), "2,0.1,,500,");
+  const Result json = with({"--format", "json"});
+  expect_has(json.out, "\"quantities\": [");
+  expect_has(json.out, "\"first_line\": 3");
+  expect_has(with({"--format", "csv"}).out, "part,fact,value,unit,quantity,values,void,min,median,max,");
+  EXPECT_EQ(with({"--csv", "/nowhere/readings.csv"}).exit_code, 6);
+  folder.write("bad.csv", "depth_m,q_c_MPa\n0.1,x\n");
+  const Result bad = run(campaign({"recording", folder.file("bad.csv")}));
+  EXPECT_EQ(bad.exit_code, 2);
+  expect_has(bad.err, "bad.csv:2:5: error: found 'x', expected a number (q_c_MPa)");
 }
 
 TEST(CommandLine, PaperHoldsWhatThereIsAgainstThePaper) {

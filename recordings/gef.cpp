@@ -1,0 +1,200 @@
+#include "recordings/gef.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "recordings/gef_header.hpp"
+#include "recordings/inclination.hpp"
+#include "recordings/units.hpp"
+
+namespace cpt::recordings {
+namespace {
+
+// Where a quantity goes; x and y are the inclination's two components.
+enum class Part { value, x, y };
+struct Quantity {
+  int number;
+  const char* name;
+  Dimension dimension;
+  const char* unit;  // the format's
+  double Reading::*place;
+  Part part = Part::value;
+};
+constexpr std::array quantities = {
+    Quantity{1, "length", Dimension::length, "m", &Reading::length},
+    Quantity{2, "q_c", Dimension::pressure, "MPa", &Reading::q_c},
+    Quantity{3, "f_s", Dimension::pressure, "MPa", &Reading::f_s},
+    Quantity{6, "u_2", Dimension::pressure, "MPa", &Reading::u_2},
+    Quantity{8, "inclination", Dimension::angle, "degrees", &Reading::inclination},
+    Quantity{9, "inclination N-S", Dimension::angle, "degrees", &Reading::inclination, Part::x},
+    Quantity{10, "inclination E-W", Dimension::angle, "degrees", &Reading::inclination, Part::y},
+    Quantity{11, "corrected depth", Dimension::length, "m", &Reading::depth},
+    Quantity{12, "time", Dimension::time, "s", &Reading::time},
+    Quantity{21, "inclination x", Dimension::angle, "degrees", &Reading::inclination, Part::x},
+    Quantity{22, "inclination y", Dimension::angle, "degrees", &Reading::inclination, Part::y},
+};
+
+struct Taken {
+  std::size_t index;  // of the column, from 0
+  const Quantity* quantity;
+  double scale;
+};
+
+class DataReader {
+ public:
+  DataReader(GefHeader header, Recording& recording, Problems& problems)
+      : header_(std::move(header)), recording_(recording), problems_(problems) {}
+
+  void read(const std::vector<Line>& lines) {
+    take_columns();
+    if (problems_.any()) return;
+    look_for_separators(lines);
+    for (std::size_t i = header_.data; i < lines.size() && !problems_.full(); ++i) read_line(lines[i]);
+    flush();
+    if (undeclared_blank_.rows > 0)
+      recording_.remarks.push_back({undeclared_blank_, "empty fields", "read as void", "there is no value"});
+    if (header_.last_scan && *header_.last_scan != recording_.rows_read)
+      recording_.remarks.push_back({{},
+                                    fmt::format("the header promises {} rows (#LASTSCAN), the file has {}",
+                                                *header_.last_scan, recording_.rows_read),
+                                    "all rows of the file are read",
+                                    "rows may be missing, or the header was not brought up to date"});
+  }
+
+ private:
+  void take_columns() {
+    std::string left;
+    for (std::size_t i = 0; i < header_.columns.size(); ++i) {
+      const GefColumn& column = header_.columns[i];
+      const auto* quantity = std::find_if(quantities.begin(), quantities.end(),
+                                          [&](const Quantity& q) { return q.number == column.quantity; });
+      const bool twice = std::any_of(taken_.begin(), taken_.end(),
+                                     [&](const Taken& taken) { return taken.quantity == quantity; });
+      if (quantity == quantities.end() || twice) {
+        left += fmt::format("{}{} ({})", left.empty() ? "" : ", ", column.name.empty() ? "?" : column.name,
+                            twice ? fmt::format("quantity {} again", column.quantity)
+                                  : fmt::format("quantity {}", column.quantity));
+        continue;
+      }
+      const double scale = unit_of({fmt::format("{} (column {})", quantity->name, i + 1), quantity->dimension,
+                                    column.unit, quantity->unit, column.line},
+                                   recording_);
+      taken_.push_back({i, quantity, scale});
+    }
+    if (!left.empty())
+      recording_.remarks.push_back(
+          {{}, "columns: " + left, "not read", "a recording has no place for these quantities"});
+    require(&Reading::q_c, nullptr, "a column of q_c: #COLUMNINFO= column, MPa, name, 2");
+    require(&Reading::length, &Reading::depth,
+            "a column of length or depth: #COLUMNINFO= column, m, name, 1 (or 11)");
+  }
+
+  void require(double Reading::*one, double Reading::*other, const char* what) {
+    if (std::none_of(taken_.begin(), taken_.end(), [&](const Taken& t) {
+          return t.quantity->place == one || (other != nullptr && t.quantity->place == other);
+        }))
+      problems_.add(static_cast<int>(header_.data), 1, "a header without it", what,
+                    "columns are told apart by the quantity number, not by name");
+  }
+
+  // Separators that are declared but never used are not those of the data.
+  void look_for_separators(const std::vector<Line>& lines) {
+    const auto used = [&](char separator) {
+      return std::any_of(lines.begin() + static_cast<std::ptrdiff_t>(header_.data), lines.end(),
+                         [&](const Line& line) { return line.text.find(separator) != line.text.npos; });
+    };
+    const auto fall_back = [&](char& separator, char usual, const char* what, const char* instead) {
+      if (separator == usual || used(separator)) return;
+      recording_.remarks.push_back(
+          {{},
+           fmt::format("the header declares '{}' between {}, the data have none", separator, what),
+           fmt::format("{} taken", instead),
+           "these are the format's own"});
+      separator = usual;
+    };
+    fall_back(header_.column_separator, ' ', "columns", "blanks");
+    fall_back(header_.record_separator, '\n', "rows", "line ends");
+  }
+
+  void read_line(const Line& line) {
+    std::string_view rest = line.text;
+    while (true) {
+      const std::size_t end =
+          header_.record_separator == '\n' ? rest.npos : rest.find(header_.record_separator);
+      for (Field field : split(rest.substr(0, end), header_.column_separator)) {
+        // Of a line without any text there is one empty piece.
+        if (field.text.empty() && trimmed(rest.substr(0, end)).empty()) continue;
+        if (record_.empty()) record_line_ = line.number;
+        field.column += column_of(line.text, rest) - 1;
+        record_.push_back({field.text, field.column});
+      }
+      if (end == rest.npos) break;
+      flush();
+      rest.remove_prefix(end + 1);
+    }
+    if (header_.record_separator == '\n') flush();
+  }
+
+  void flush() {
+    const std::size_t columns = header_.columns.size();
+    if (record_.size() == columns + 1 && record_.back().text.empty()) record_.pop_back();
+    if (record_.empty()) return;
+    ++recording_.rows_read;
+    if (record_.size() != columns)
+      problems_.add(record_line_, record_.front().column, fmt::format("a row of {} values", record_.size()),
+                    fmt::format("{}, one for each column", columns),
+                    "is the file cut off here, or #COLUMN, #COLUMNSEPARATOR or #RECORDSEPARATOR wrong?");
+    else
+      read_record();
+    record_.clear();
+  }
+
+  void read_record() {
+    Reading reading;
+    reading.line = record_line_;
+    double x = not_given, y = not_given;
+    bool blank = false;
+    for (const Taken& taken : taken_) {
+      const Field& field = record_[taken.index];
+      const auto value = number(field.text);
+      blank = blank || field.text.empty();
+      if (!value && !field.text.empty())
+        return problems_.add(record_line_, field.column, in_quotes(field.text),
+                             fmt::format("a number ({})", taken.quantity->name), number_hint(field.text));
+      const auto& void_value = header_.columns[taken.index].void_value;
+      const bool is_void =
+          !value || (void_value && std::abs(*value - *void_value) <= 1e-6 * std::abs(*void_value));
+      const double si = is_void ? not_given : *value * taken.scale;
+      if (taken.quantity->part == Part::x) x = si;
+      if (taken.quantity->part == Part::y) y = si;
+      if (taken.quantity->part == Part::value) reading.*(taken.quantity->place) = si;
+    }
+    if (blank) undeclared_blank_.add(record_line_);
+    if (std::isnan(reading.inclination)) reading.inclination = resultant(x, y);
+    recording_.readings.push_back(reading);
+  }
+
+  GefHeader header_;
+  Recording& recording_;
+  Problems& problems_;
+  std::vector<Taken> taken_;
+  std::vector<Field> record_;
+  int record_line_ = 0;
+  Lines undeclared_blank_;
+};
+
+}  // namespace
+
+bool is_gef(std::string_view first_line) {
+  return first_line.starts_with('#') && lower_case(trimmed(first_line.substr(1))).starts_with("gefid");
+}
+
+void read_gef(const std::vector<Line>& lines, const ReadOptions&, Recording& recording, Problems& problems) {
+  GefHeader header = read_gef_header(lines, recording, problems);
+  if (!problems.any()) DataReader(std::move(header), recording, problems).read(lines);
+}
+
+}  // namespace cpt::recordings

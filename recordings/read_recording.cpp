@@ -1,0 +1,118 @@
+#include "recordings/read_recording.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "recordings/ags4.hpp"
+#include "recordings/csv.hpp"
+#include "recordings/gef.hpp"
+#include "recordings/geotech.hpp"
+#include "recordings/settle.hpp"
+#include "recordings/text.hpp"
+
+namespace cpt::recordings {
+namespace {
+
+constexpr std::uintmax_t largest_file = 256U << 20U;  // [bytes] a sounding has some hundred thousand
+
+struct Reader {
+  Format format;
+  std::vector<std::string_view> endings;
+  bool (*recognizes)(std::string_view first_line);
+  void (*read)(const std::vector<Line>&, const ReadOptions&, Recording&, Problems&);
+};
+
+// The known formats; adding one is a line here. CSV has no mark of its own, so it comes last.
+const std::vector<Reader>& readers() {
+  static const std::vector<Reader> list = {
+      {Format::gef, {".gef"}, is_gef, read_gef},
+      {Format::ags4, {".ags"}, is_ags4, read_ags4},
+      {Format::geotech, {".cpt"}, is_geotech, read_geotech},
+      {Format::csv, {".csv", ".txt", ".dat", ".tsv"}, [](std::string_view) { return false; }, read_csv},
+  };
+  return list;
+}
+
+const Reader* by_ending(const std::filesystem::path& file) {
+  const std::string ending = lower_case(file.extension().string());
+  for (const Reader& reader : readers())
+    if (std::find(reader.endings.begin(), reader.endings.end(), ending) != reader.endings.end())
+      return &reader;
+  return nullptr;
+}
+
+const Reader* by_content(const std::vector<Line>& lines) {
+  const auto first =
+      std::find_if(lines.begin(), lines.end(), [](const Line& line) { return !trimmed(line.text).empty(); });
+  if (first == lines.end()) return nullptr;
+  for (const Reader& reader : readers())
+    if (reader.recognizes(trimmed(first->text))) return &reader;
+  return nullptr;
+}
+
+const Reader* find_reader(const std::vector<Line>& lines, const std::filesystem::path& file,
+                          const ReadOptions& options, Recording& recording) {
+  for (const Reader& reader : readers())
+    if (options.format == reader.format) return &reader;
+  const Reader* content = by_content(lines);
+  const Reader* ending = by_ending(file);
+  if (content != nullptr && ending != nullptr && content != ending)
+    recording.remarks.push_back({{},
+                                 fmt::format("the ending {} is that of a {} file", file.extension().string(),
+                                             name_of(ending->format)),
+                                 fmt::format("read as {}", name_of(content->format)),
+                                 "the first line is that of this format"});
+  return content != nullptr ? content : ending;
+}
+
+RecordingOrErrors refused(const std::filesystem::path& file, std::string found, std::string expected,
+                          std::string hint = {}) {
+  return std::vector<RecordingError>{
+      {file.string(), 0, 0, std::move(found), std::move(expected), std::move(hint)}};
+}
+
+}  // namespace
+
+RecordingOrErrors parse_recording(std::string_view bytes, const std::filesystem::path& file,
+                                  const ReadOptions& options) {
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    return refused(file, "text in UTF-16", "UTF-8 or Latin-1", "save it as UTF-8");
+  const Decoded content = decoded(bytes);
+  const std::vector<Line> lines = lines_of(content.text);
+  Recording recording;
+  recording.file = file.string();
+  recording.id = file.stem().string();
+  if (content.replaced > 0)
+    recording.remarks.push_back({{},
+                                 fmt::format("{} bytes that are not UTF-8", content.replaced),
+                                 "read as Latin-1",
+                                 "older programs write Latin-1; only texts are concerned, no numbers"});
+  const Reader* reader = find_reader(lines, file, options, recording);
+  if (reader == nullptr)
+    return refused(file, "a file of unknown format", "GEF-CPT, AGS4, Geotech .cpt or CSV",
+                   "name a table of columns NAME.csv and say which column is what");
+  recording.format = reader->format;
+  Problems problems(file.string());
+  reader->read(lines, options, recording, problems);
+  if (!problems.any()) settle(recording, problems);
+  if (problems.any()) return problems.errors();
+  return recording;
+}
+
+RecordingOrErrors read_recording(const std::filesystem::path& file, const ReadOptions& options) {
+  std::error_code error;
+  const auto size = std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error)
+                                                                  : std::uintmax_t{0};
+  std::ifstream stream;
+  if (!error && std::filesystem::is_regular_file(file, error)) stream.open(file, std::ios::binary);
+  if (!stream.is_open()) return refused(file, "no file that can be read", "a recording");
+  if (size > largest_file)
+    return refused(file, fmt::format("{} MiB", size >> 20U), "a file of at most 256 MiB");
+  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  return parse_recording(bytes, file, options);
+}
+
+}  // namespace cpt::recordings

@@ -1,0 +1,82 @@
+#include "reports/depth_panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/axis.hpp"
+#include "reports/labels.hpp"
+#include "reports/palette.hpp"
+#include "reports/svg.hpp"
+
+namespace cpt::reports {
+namespace {
+
+constexpr double left = 50.0, right = 14.0, gap = 14.0;
+constexpr double panel_height = 400.0;
+constexpr double least_panel_width = 116.0, least_width = 300.0;
+constexpr double line_height = 12.5;
+
+Axis across(const std::vector<double>& values, const Box& box) {
+  double low = 0.0, high = 0.0;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  const Range range = widened(low, high, 0.05);
+  return {low < 0.0 ? range.low : 0.0, range.high, box.x, box.right()};
+}
+
+void draw_panel(Svg& svg, const DepthPanels& figure, const DepthPanel& panel, const Box& box,
+                const Axis& depth, bool first) {
+  if (figure.shaded_to > depth.low)
+    svg.rectangle({box.x, box.y, box.width, depth(std::min(figure.shaded_to, depth.high)) - box.y},
+                  palette::band, 0.5);
+  const Axis axis = across(panel.values, box);
+  draw_horizontal(svg, box, axis, Edge::top, panel.title, 4);
+  if (first)
+    draw_vertical(svg, box, depth, plain("depth (m)"), 10);
+  else
+    for (const Tick& tick : ticks(depth.low, depth.high, 10))
+      svg.line({box.x, depth(tick.value)}, {box.right(), depth(tick.value)}, {palette::grid, 0.4, {}});
+  svg.begin_clip(box);
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < panel.values.size(); ++i)
+    points.push_back({axis(panel.values[i]), depth(figure.depth[i])});
+  svg.polyline(points, {panel.color, 0.8, {}});
+  svg.end_clip();
+  for (const double mark : figure.marks)
+    svg.line({box.right() - 5.0, depth(mark)}, {box.right(), depth(mark)}, {palette::ink, 0.7, {}});
+  svg.frame(box, {palette::ink, 0.6, {}});
+}
+
+}  // namespace
+
+std::string depth_panels(const DepthPanels& figure) {
+  const auto count = static_cast<double>(figure.panels.size());
+  const double beside = left + (count - 1.0) * gap + right;
+  const double width = std::max(least_width, beside + count * least_panel_width);
+  const double panel_width = (width - beside) / count;
+  const double top = 23.0 + line_height * static_cast<double>(figure.lines.size()) + 36.0;
+  Svg svg(width, top + panel_height + 26.0, "recording");
+  const double room = width - 20.0;
+  double y = 17.0;
+  svg.text({10.0, y}, plain(shortened(figure.title, room, 10.0, true)), {.size = 10.0, .bold = true});
+  for (const std::string& line : figure.lines)
+    svg.text({10.0, y += line_height}, plain(shortened(line, room, 8.0)),
+             {.size = 8.0, .color = palette::muted});
+  const double shallowest = figure.depth.empty() ? 0.0 : figure.depth.front();
+  const double deepest = figure.depth.empty() ? 1.0 : figure.depth.back();
+  const double surface = shallowest > 0.0 && shallowest < 0.05 * deepest ? 0.0 : shallowest;
+  const Range down = deepest > surface ? Range{surface, deepest} : widened(surface, deepest, 0.0);
+  const Axis depth{down.low, down.high, top, top + panel_height};
+  for (std::size_t i = 0; i < figure.panels.size(); ++i)
+    draw_panel(svg, figure, figure.panels[i],
+               {left + static_cast<double>(i) * (panel_width + gap), top, panel_width, panel_height}, depth,
+               i == 0);
+  svg.text({10.0, top + panel_height + 16.0}, plain(shortened(figure.note, room, 7.0)),
+           {.size = 7.0, .color = palette::muted});
+  return svg.document(figure.title);
+}
+
+}  // namespace cpt::reports

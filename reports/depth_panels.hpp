@@ -1,0 +1,32 @@
+// A measured sounding: several quantities side by side over one depth axis.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/text.hpp"
+
+namespace cpt::reports {
+
+struct DepthPanel {
+  Rich title;
+  std::vector<double> values;  ///< one for each depth; NaN breaks the curve
+  std::string_view color;
+};
+
+struct DepthPanels {
+  std::string title;
+  std::vector<std::string> lines;                               ///< below the title
+  std::vector<double> depth;                                    // [m] not falling
+  std::vector<DepthPanel> panels;                               ///< at least one
+  double shaded_to = std::numeric_limits<double>::quiet_NaN();  // [m] grey from the top down to here
+  std::vector<double> marks;                                    // [m] ticks at the right edge
+  std::string note;                                             ///< below the panels
+};
+
+/// The figure as an SVG document; scales from zero where all values are positive.
+[[nodiscard]] std::string depth_panels(const DepthPanels& figure);
+
+}  // namespace cpt::reports

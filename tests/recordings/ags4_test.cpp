@@ -1,0 +1,71 @@
+// AGS4: groups, units, several pushes, blanks.
+#include <cmath>
+
+#include "tests/recordings/files.hpp"
+
+namespace cpt::recordings {
+namespace {
+
+const ReadOptions first{.format = {}, .columns = {}, .voids = {}, .push = "CPT1/1"};
+
+TEST(Ags4, ReadsTheChosenPushAndCountsTheOthers) {
+  const Recording r = from_corpus("two_pushes.ags", first);
+  EXPECT_EQ(r.format, Format::ags4);
+  EXPECT_EQ(r.id, "CPT1/1");
+  EXPECT_EQ(r.date, "2024-05-06");
+  EXPECT_EQ(r.x, 1000.5);
+  EXPECT_EQ(r.y, 2000.25);
+  EXPECT_EQ(r.elevation, 12.3);
+  EXPECT_NEAR(r.cone_area, 15e-4, 1e-12);
+  EXPECT_EQ(r.area_quotient, 0.85);
+  EXPECT_EQ(r.rows_read, 4);
+  ASSERT_EQ(r.readings.size(), 3U);
+  ASSERT_EQ(r.set_aside.size(), 1U);
+  EXPECT_EQ(r.set_aside[0].lines.rows, 1);
+  EXPECT_EQ(r.set_aside[0].reason, "belongs to another push");
+  EXPECT_DOUBLE_EQ(r.readings[0].depth, 0.02);
+  EXPECT_DOUBLE_EQ(r.readings[0].q_c, 1.25e6);
+  EXPECT_DOUBLE_EQ(r.readings[0].f_s, 10e3);
+  EXPECT_DOUBLE_EQ(r.readings[0].u_2, -5e3);
+}
+
+TEST(Ags4, BlankIsVoidAndDoubledQuotesAreOne) {
+  const Recording r = from_corpus("two_pushes.ags", first);
+  EXPECT_TRUE(std::isnan(r.readings[1].f_s));
+  EXPECT_EQ(remark(r, "f_s is void").lines.rows, 1);
+  EXPECT_TRUE(std::any_of(r.facts.begin(), r.facts.end(),
+                          [](const Fact& fact) { return fact.value == "Dike \"North\""; }));
+}
+
+TEST(Ags4, UnitsAreThoseOfTheUnitRow) {
+  const Recording r =
+      recording(with(corpus("two_pushes.ags"), "\"MN/m2\",\"m\"", "\"kPa\",\"m\""), "a.ags", first);
+  EXPECT_DOUBLE_EQ(r.readings[0].q_c, 1.25e3);
+  expect_has(remark(r, "unit of SCPT_RES").why, "prescribes MN/m2");
+  EXPECT_EQ(remark(r, "median q_c").lines.rows, 0);
+}
+
+TEST(Ags4, SeveralPushesWantAChoice) {
+  const std::string text = corpus("two_pushes.ags");
+  expect_has(refusal(text, "a.ags"),
+             "found 2 pushes, expected one push\n    hint: choose one of CPT1/1, CPT1/2");
+  expect_has(refusal(text, "a.ags", {.format = {}, .columns = {}, .voids = {}, .push = "CPT2"}),
+             "0 pushes named 'CPT2'");
+}
+
+TEST(Ags4, BrokenFilesAreRefusedWithTheirPlace) {
+  const std::string text = corpus("two_pushes.ags");
+  expect_has(refusal(with(text, "\"1.500\"", "\"1.5x\""), "a.ags", first),
+             "a.ags:25:20: error: found '1.5x', expected a number or nothing (SCPT_RES)");
+  expect_has(refusal(with(text, "\"1.500\",", ""), "a.ags", first),
+             "found 5 values, expected 6, one for each heading of SCPT");
+  expect_has(refusal(with(text, "\"1.500\"", "\"1.500"), "a.ags", first), "a.ags:25:27: error");
+  expect_has(refusal(with(text, "\"GROUP\",\"SCPT\"", "\"GROUP\",\"SCPX\""), "a.ags"),
+             "hint: groups of this file: PROJ, LOCA, SCPG, SCPX");
+  expect_has(refusal(with(text, "SCPT_RES", "SCPT_XXX"), "a.ags", first), "group SCPT without SCPT_RES");
+  expect_has(refusal("\"DATA\",\"x\"\n", "a.ags"),
+             "a.ags:1:2: error: found 'DATA', expected \"GROUP\" first");
+}
+
+}  // namespace
+}  // namespace cpt::recordings
