@@ -108,12 +108,16 @@ NoiseModel noise_of_high_pass(const std::vector<Cell>& cells, const VectorXd& re
     while (bottom < n && cell(bottom).sounding == cell(top).sounding) ++bottom;
     const double from = cell(top).depth - 0.5 * cell(top).height;
     const double extent = cell(bottom - 1).depth + 0.5 * cell(bottom - 1).height - from;
-    for (int k = 0; k == 0 || 2.0 * extent / k >= wavelength; ++k) {
+    const auto add = [&](auto shape) {
       VectorXd wave = VectorXd::Zero(n);
-      for (Index i = top; i < bottom; ++i)
-        wave(i) = std::cos(std::numbers::pi * k * (cell(i).depth - from) / extent);
+      for (Index i = top; i < bottom; ++i) wave(i) = shape((cell(i).depth - from) / extent);
       waves.push_back(wave);
-    }
+    };
+    // Cosines are flat at both ends; the line and the parabola give the trend its slopes there.
+    add([](double x) { return x; });
+    add([](double x) { return x * x; });
+    for (int k = 0; k == 0 || 2.0 * extent / k >= wavelength; ++k)
+      add([k](double x) { return std::cos(std::numbers::pi * k * x); });
   }
   MatrixXd trends(n, static_cast<Index>(waves.size()));
   for (std::size_t k = 0; k < waves.size(); ++k) trends.col(static_cast<Index>(k)) = waves[k];

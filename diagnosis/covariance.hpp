@@ -31,7 +31,7 @@ struct NoiseModel {
 [[nodiscard]] NoiseModel fit_noise(const std::vector<Cell>& cells, const MatrixXd& samples,
                                    const MatrixXd& trends, Kernel kernel = Kernel::ar1);
 
-/// Of a recording (n): what is left beside waves longer than `wavelength` [m].
+/// Of a recording (n): what is left beside a parabola and waves longer than `wavelength` [m].
 [[nodiscard]] NoiseModel noise_of_high_pass(const std::vector<Cell>& cells, const VectorXd& recorded,
                                             double wavelength, Kernel kernel = Kernel::ar1);
 

