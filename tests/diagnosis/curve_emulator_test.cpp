@@ -12,7 +12,7 @@ TEST(CurveEmulator, ReproducesAQuadraticFamily) {
   const auto truth = [&](double a, double b) {
     return toy::curve(cells, [&](double z) { return a * (0.3 * z + b * std::sin(5.0 * z)) + a * a * z * z; });
   };
-  const CurveEmulator::Options all_components;
+  CurveEmulator::Options all_components;
   all_components.variance_left = 1e-14;
   const CurveEmulator emulator(toy::effect("quadratic", {"a", "b"}, 24, truth), all_components);
   for (const double a : {0.1, 0.47, 0.9})
