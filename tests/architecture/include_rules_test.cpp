@@ -44,7 +44,8 @@ const std::vector<Outside> outside = {
     {"nlohmann/.*", {"results/table_format.cpp", "reports/"}},
     {"librsvg/.*|cairo.*", {"reports/"}},
     {"Eigen/.*", {"solver/", "parameters/calibration/trend.cpp", "diagnosis/"}},
-    {"boost/math/.*", {"parameters/calibration/hardening.cpp", "results/window_noise.cpp"}},
+    {"boost/math/.*",
+     {"parameters/calibration/hardening.cpp", "results/window_noise.cpp", "diagnosis/scoring.cpp"}},
     {"omp\\.h|immintrin\\.h", {"solver/"}},
     // The operating system: locks on files, processes, the terminal.
     {"(sys/[a-z]+|fcntl|unistd)\\.h", {"results/", "campaign/"}},
