@@ -35,7 +35,7 @@ TEST(SurfaceCompaction, IsFeltNearTheTopMost) {
     return mean_q_c(on, from, to) / mean_q_c(off, from, to) - 1.0;
   };
   EXPECT_GT(rise(0.04, 0.06), 0.06);
-  EXPECT_LT(std::abs(rise(0.09, 0.11)), 0.5 * rise(0.04, 0.06));
+  EXPECT_LT(std::abs(rise(0.09, 0.11)), 0.75 * rise(0.04, 0.06));
 }
 
 TEST(DensityLens, ChangesItsDepthsOnly) {
