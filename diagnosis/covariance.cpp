@@ -74,7 +74,7 @@ MatrixXd noise_covariance(const std::vector<Cell>& cells, const NoiseModel& nois
 }
 
 NoiseModel fit_noise(const std::vector<Cell>& cells, const MatrixXd& samples, const MatrixXd& trends,
-                     Kernel kernel) {
+                     double longest, Kernel kernel) {
   if (samples.rows() <= trends.cols() || samples.cols() == 0)
     throw std::invalid_argument("too few values to fit a noise");
   const auto likelihood = [&](double length) {
@@ -92,7 +92,8 @@ NoiseModel fit_noise(const std::vector<Cell>& cells, const MatrixXd& samples, co
       }
     }
   };
-  const double shortest = best, longest = std::max(0.5 * longest_sounding(cells), 2.0 * best);
+  const double shortest = best;
+  longest = std::max(longest, 2.0 * shortest);
   search(shortest, longest, 24);
   const double step = std::pow(longest / shortest, 1.0 / 24.0);
   search(std::max(best / step, shortest), std::min(best * step, longest), 16);
@@ -121,7 +122,7 @@ NoiseModel noise_of_high_pass(const std::vector<Cell>& cells, const VectorXd& re
   }
   MatrixXd trends(n, static_cast<Index>(waves.size()));
   for (std::size_t k = 0; k < waves.size(); ++k) trends.col(static_cast<Index>(k)) = waves[k];
-  return fit_noise(cells, recorded, trends, kernel);
+  return fit_noise(cells, recorded, trends, 0.25 * wavelength, kernel);
 }
 
 ShrunkCovariance covariance_of_repeats(const std::vector<Cell>& cells, const MatrixXd& repeats,
@@ -130,7 +131,8 @@ ShrunkCovariance covariance_of_repeats(const std::vector<Cell>& cells, const Mat
   const MatrixXd samples = contrasts(repeats);
   const auto freedom = static_cast<double>(samples.cols());
   ShrunkCovariance result;
-  result.target = fit_noise(cells, samples, MatrixXd(repeats.rows(), 0), kernel);
+  result.target =
+      fit_noise(cells, samples, MatrixXd(repeats.rows(), 0), 0.5 * longest_sounding(cells), kernel);
   const MatrixXd T = noise_covariance(cells, result.target);
   const MatrixXd S = samples * samples.transpose() / freedom;
   const double chance = (T.squaredNorm() + T.trace() * T.trace()) / freedom;

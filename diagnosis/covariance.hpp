@@ -25,13 +25,14 @@ struct NoiseModel {
 [[nodiscard]] MatrixXd noise_covariance(const std::vector<Cell>& cells, const NoiseModel& noise);
 
 /// The noise of independent columns y_k = trends b_k + e_k, b_k unknown, by restricted maximum likelihood
-/// (Patterson and Thompson 1971) over lengths between 0.2 cells and half the longest sounding. Cosines down
+/// (Patterson and Thompson 1971) over lengths from 0.2 cells to `longest` [m]. Cosines down
 /// to a wavelength as `trends` make it the noise of the high-pass part, unbiased by the filter. Throws
 /// std::invalid_argument if there are not more rows than trends.
 [[nodiscard]] NoiseModel fit_noise(const std::vector<Cell>& cells, const MatrixXd& samples,
-                                   const MatrixXd& trends, Kernel kernel = Kernel::ar1);
+                                   const MatrixXd& trends, double longest, Kernel kernel = Kernel::ar1);
 
-/// Of a recording (n): what is left beside a parabola and waves longer than `wavelength` [m].
+/// Of a recording (n): what is left beside a parabola and waves longer than `wavelength` [m]. The length is
+/// at most a quarter of the wavelength: what is longer, the high-pass part cannot tell from a trend.
 [[nodiscard]] NoiseModel noise_of_high_pass(const std::vector<Cell>& cells, const VectorXd& recorded,
                                             double wavelength, Kernel kernel = Kernel::ar1);
 

@@ -45,11 +45,15 @@ MatrixXd polynomial(const MatrixXd& points, bool quadratic) {
 
 // Matern-5/2 with a length for each dimension.
 MatrixXd kernel(const MatrixXd& a, const MatrixXd& b, const VectorXd& lengths) {
+  const VectorXd per_length = std::sqrt(5.0) * lengths.cwiseInverse();
+  const MatrixXd x = per_length.asDiagonal() * a.transpose(), y = per_length.asDiagonal() * b.transpose();
   MatrixXd k(a.rows(), b.rows());
-  for (Index j = 0; j < b.rows(); ++j)
-    for (Index i = 0; i < a.rows(); ++i) {
-      const double r = std::sqrt(5.0) * ((a.row(i) - b.row(j)).transpose().cwiseQuotient(lengths)).norm();
-      k(i, j) = (1.0 + r + r * r / 3.0) * std::exp(-r);
+  for (Index j = 0; j < k.cols(); ++j)
+    for (Index i = 0; i < k.rows(); ++i) {
+      double squares = 0.0;
+      for (Index d = 0; d < x.rows(); ++d) squares += (x(d, i) - y(d, j)) * (x(d, i) - y(d, j));
+      const double r = std::sqrt(squares);
+      k(i, j) = (1.0 + r + squares / 3.0) * std::exp(-r);
     }
   return k;
 }

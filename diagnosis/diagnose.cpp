@@ -236,10 +236,11 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
     const double correlation = std::max(d.measurement.length, d.numerical ? d.numerical->target.length : 0.0);
     const double length = std::max(options.held_out_length, 3.0 * correlation);
     const auto blocks = depth_blocks(d.cells, length);
-    d.held_out =
-        held_out_gain(problem.recorded, predict_null(null, problem.recorded, blocks),
-                      predict_mechanism(null, emulator, problem.recorded, blocks, options.grid),
-                      static_cast<int>(std::ceil(length / d.cells.front().height)), options.seed + 2);
+    if (blocks.size() > 1)
+      d.held_out =
+          held_out_gain(problem.recorded, predict_null(null, problem.recorded, blocks),
+                        predict_mechanism(null, emulator, problem.recorded, blocks, options.grid),
+                        static_cast<int>(std::ceil(length / d.cells.front().height)), options.seed + 2);
   }
 
   if (options.sensitivity)

@@ -81,7 +81,7 @@ struct Diagnosis {
   std::vector<NextMeasurement> next;    ///< if the set has several mechanisms
   std::optional<std::size_t> best;      ///< the most probable mechanism, which the rest is about
   Recalibration with_best;              ///< the null recalibrated beside it; curve includes it
-  std::optional<HeldOutGain> held_out;  ///< of it
+  std::optional<HeldOutGain> held_out;  ///< of it; none if one block would be all
   std::vector<PriorVariation> variations;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "diagnosis/random.hpp"
 
@@ -23,6 +24,7 @@ double log_normal_density(double y, double mean, double variance) {
 // With no emulator, of the null.
 Prediction predict(const NullModel& null, const CurveEmulator* emulator, const VectorXd& recorded,
                    const std::vector<std::vector<Index>>& blocks, const GridOptions& options) {
+  if (blocks.size() < 2) throw std::invalid_argument("nothing is left beside the block held out");
   const Index n = recorded.size();
   const VectorXd residual = recorded - null.mean;
   const auto evidence = [&](const Whitener& M, const std::vector<Index>& rows) {

@@ -24,6 +24,7 @@ struct Prediction {
   double rmse;         // [ln q_c]
 };
 
+/// Throws std::invalid_argument for fewer than two blocks, as does the next.
 [[nodiscard]] Prediction predict_null(const NullModel& null, const VectorXd& recorded,
                                       const std::vector<std::vector<Index>>& blocks);
 

@@ -82,7 +82,7 @@ TEST(Diagnose, NamesWhatIsMissing) {
 TEST(Diagnose, LeavesNothingMissingWhereNothingIsOrParametersWouldDo) {
   const auto cells = toy::cells();
   int alarms = 0, confounded = 0;
-  for (std::uint64_t seed = 100; seed < 130; ++seed)
+  for (std::uint64_t seed = 100; seed < 120; ++seed)
     alarms += answer(diagnose(problem(seed, VectorXd::Zero(60)), quick())) == nothing_is_missing ? 0 : 1;
   for (std::uint64_t seed = 200; seed < 205; ++seed) {
     // What "scaling" does, the parameter "scale" does as well.
@@ -90,7 +90,7 @@ TEST(Diagnose, LeavesNothingMissingWhereNothingIsOrParametersWouldDo) {
     confounded += answer(d) == nothing_is_missing ? 1 : 0;
     EXPECT_LT(d.isolability(3, 4), 2.5);
   }
-  EXPECT_LE(alarms, 3);
+  EXPECT_LE(alarms, 2);
   EXPECT_GE(confounded, 4);
 }
 

@@ -15,6 +15,9 @@ TEST(HeldOut, CutsBlocksOfOneSoundingEach) {
   EXPECT_EQ(blocks[1].back(), 24);
   EXPECT_EQ(blocks[2].front(), 25);
   EXPECT_EQ(sounding_blocks(cells).size(), 2U);
+  const auto one = toy::cells();
+  EXPECT_THROW((void)predict_null(toy::null(one), toy::baseline(one), sounding_blocks(one)),
+               std::invalid_argument);
 }
 
 TEST(HeldOut, PredictsTheNullByConditioning) {
