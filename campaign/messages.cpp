@@ -30,8 +30,6 @@ void exchange(Archive& archive, MaybeConst<OutcomeReport> auto& report) {
 }
 
 template <class Archive>
-void exchange(Archive&, MaybeConst<Heartbeat> auto&) {}
-template <class Archive>
 void exchange(Archive&, MaybeConst<Leaving> auto&) {}
 template <class Archive>
 void exchange(Archive&, MaybeConst<Dismissed> auto&) {}

@@ -38,16 +38,13 @@ struct OutcomeReport {
   solver::Outcome outcome;
 };
 
-/// "I am alive", from a worker with nothing else to say.
-struct Heartbeat {};
-
 /// A worker was told to stop by a signal; it has killed its realizations.
 struct Leaving {};
 
 /// The master has no more work.
 struct Dismissed {};
 
-using Message = std::variant<Hello, Order, ProgressReport, OutcomeReport, Heartbeat, Leaving, Dismissed>;
+using Message = std::variant<Hello, Order, ProgressReport, OutcomeReport, Leaving, Dismissed>;
 
 [[nodiscard]] Bytes encode(const Message& message);
 /// Throws MalformedMessage. A decoded order's setup has the sender's canonical text, or decoding fails.

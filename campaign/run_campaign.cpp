@@ -23,10 +23,9 @@ constexpr double muster_limit =
     0.8;  // [s] to wait for the workers' offers before the first realization starts
 
 std::string describe(const parameters::Study& study, const parameters::Realization& realization) {
-  if (realization.row < 0) return "baseline";
-  const parameters::Row& row = study.rows.at(static_cast<std::size_t>(realization.row));
-  return fmt::format("{} = {}", row.quantity->name,
-                     row.quantity->format(parameter_value(study, realization)));
+  if (realization.side == parameters::Side::baseline) return "baseline";
+  if (realization.side == parameters::Side::point) return std::string(parameter_name(study, realization));
+  return fmt::format("{} = {}", parameter_name(study, realization), value_text(study, realization));
 }
 
 class Master {
@@ -91,7 +90,7 @@ class Master {
 
   void handle(int rank, Message& message, double now) {
     if (const auto* hello = std::get_if<Hello>(&message)) {
-      scheduler_.add_rank(rank, hello->node, hello->slots);
+      if (offered_.insert(rank).second) scheduler_.add_rank(rank, hello->node, hello->slots);
     } else if (const auto* report = std::get_if<ProgressReport>(&message)) {
       const solver::Progress& progress = report->progress;
       if (scheduler_.runner(report->realization) == rank)
@@ -197,6 +196,7 @@ class Master {
   Forecast forecast_;
   double started_;                    // [s]
   std::map<int, double> last_heard_;  // [s] by worker that is present
+  std::set<int> offered_;             // workers whose slots are known
   std::set<int> silenced_;            // workers that are lost; late words from them do not count
   std::map<int, int> losses_;         // by realization
   bool ranks_lost_ = false;

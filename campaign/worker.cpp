@@ -22,7 +22,8 @@ int own_slots(const Transport& transport, const RunOptions& options) {
 void serve_master(Transport& transport, const RunOptions& options) {
   Executor executor(options.realization_command);
   Napping napping(transport.longest_nap());
-  transport.send(master, Hello{transport.node(), own_slots(transport, options)});
+  const int slots = own_slots(transport, options);
+  transport.send(master, Hello{transport.node(), slots});
   double last_word = monotonic_seconds();
   bool leaving = false;
 
@@ -47,7 +48,8 @@ void serve_master(Transport& transport, const RunOptions& options) {
       leaving = true;
     }
     if (now > last_word + heartbeat_interval) {
-      transport.send(master, Heartbeat{});
+      // A whole offer, so that the next campaign of the same job finds its workers too.
+      transport.send(master, Hello{transport.node(), slots});
       last_word = now;
     }
     executor.nap(napping.next(busy));

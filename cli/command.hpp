@@ -21,6 +21,7 @@ void add_report(CLI::App& program, Action& action);
 void add_element(CLI::App& program, Action& action);
 void add_list(CLI::App& program, Action& action);
 void add_paper(CLI::App& program, Action& action);
+void add_diagnose(CLI::App& program, Action& action);
 void add_recording(CLI::App& program, Action& action);
 
 /// Adds `calibrate` to the command `element`.

@@ -25,12 +25,6 @@ std::map<std::string, std::string> known_status(const parameters::Study& study) 
   return status;
 }
 
-std::string value_text(const parameters::Study& study, const parameters::Realization& realization) {
-  if (realization.row < 0) return "";
-  const parameters::Row& row = study.rows.at(static_cast<std::size_t>(realization.row));
-  return row.quantity->format(parameter_value(study, realization));
-}
-
 // Stops a run at its first report: by then the model is built and has made its first steps.
 class StopAtOnce final : public solver::Observer {
  public:

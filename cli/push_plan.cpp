@@ -90,10 +90,7 @@ Push plan_push(const PushArguments& arguments) {
 
 std::map<std::string, std::string> origin_of(const Push& push, solver::Status status) {
   const parameters::Realization& realization = push.realization;
-  std::string value;
-  if (realization.row >= 0)
-    value = push.study.rows[static_cast<std::size_t>(realization.row)].quantity->format(
-        parameter_value(push.study, realization));
+  const std::string value = value_text(push.study, realization);
   return {{"study", push.study.name},
           {"title", push.study.title},
           {"realization", fmt::format("{}", realization.id)},

@@ -50,7 +50,14 @@ void check_physics(const Study& study, const QuantitySections& sections, const S
                        [&](const solver::Problem& other) { return other.quantity == problem.quantity; });
   };
   for (const Realization& realization : one_at_a_time(study)) {
-    if (realization.row < 0) continue;
+    if (realization.side == Side::baseline) continue;
+    if (realization.side == Side::point) {
+      for (const solver::Problem& problem : solver::problems(make_setup(study, realization)))
+        if (!in_baseline(problem) && !involves_doubtful(problem, sections))
+          errors.add(places.points[static_cast<std::size_t>(realization.point)],
+                     fmt::format("points.{}", parameter_name(study, realization)), problem.message);
+      continue;
+    }
     const PlacedRow& placed = sections.rows[static_cast<std::size_t>(realization.row)];
     for (const solver::Problem& problem : solver::problems(make_setup(study, realization))) {
       if (in_baseline(problem) || involves_doubtful(problem, sections)) continue;

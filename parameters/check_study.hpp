@@ -14,6 +14,7 @@ struct StudyPlaces {
   Place profile;
   Place layers;
   Place zones;
+  std::vector<Place> points;   ///< one a point of the study
   std::vector<Place> windows;  ///< one a window of the study
 };
 

@@ -37,6 +37,7 @@ Value convert(const toml::node& node) {
       value.number = static_cast<double>(typed.get());
     } else if constexpr (std::is_same_v<Node, toml::value<bool>>) {
       value.kind = Value::Kind::boolean;
+      value.number = typed.get() ? 1.0 : 0.0;
     } else {
       value.kind = Value::Kind::date;
     }

@@ -22,7 +22,7 @@ struct Value {
   enum class Kind { number, text, boolean, date, array, table };
   Kind kind = Kind::table;
   Place place;
-  double number = 0.0;
+  double number = 0.0;          ///< also 1 or 0 of a boolean
   std::string text;             ///< a text's content
   std::vector<Value> items;     ///< of an array, in order
   std::vector<Member> members;  ///< of a table, in the order of the file

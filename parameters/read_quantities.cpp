@@ -108,23 +108,24 @@ void refuse_unknown_quantity(std::string_view section_name, const std::string& n
 
 // Quantities of a section in file order; groups may be spelt as nested tables.
 void collect(const Value& table, std::string_view section_name, const std::string& prefix,
-             std::vector<Named>& found, ErrorList& errors) {
+             std::span<const std::string_view> except, std::vector<Named>& found, ErrorList& errors) {
   for (const Member& member : table.members) {
     const std::string name = joined(prefix, member.key);
+    if (std::find(except.begin(), except.end(), name) != except.end()) continue;
     const Quantity* quantity = solver::find_quantity(name);
     if (quantity != nullptr)
       found.push_back({quantity, &member, joined(section_name, name)});
     else if (member.value.kind == Value::Kind::table && is_group(name))
-      collect(member.value, section_name, name, found, errors);
+      collect(member.value, section_name, name, except, found, errors);
     else
       refuse_unknown_quantity(section_name, name, member.place, errors);
   }
 }
 
-std::vector<Named> named_quantities(const Value& root, std::string_view section_name, ErrorList& errors) {
+std::vector<Named> named_quantities(const Value& table, std::string_view section_name,
+                                    std::span<const std::string_view> except, ErrorList& errors) {
   std::vector<Named> found;
-  if (const Value* table = section(root, section_name, errors))
-    collect(*table, section_name, "", found, errors);
+  collect(table, section_name, "", except, found, errors);
   std::stable_sort(found.begin(), found.end(),
                    [](const Named& a, const Named& b) { return a.member->place < b.member->place; });
   return found;
@@ -136,11 +137,18 @@ class Reader {
       : setup_(setup), any_soil_(any_soil), errors_(errors) {}
 
   QuantitySections read(const Value& root) {
-    for (const Named& named : named_quantities(root, "fixed", errors_))
-      if (acceptable(named)) read_fixed(named);
-    for (const Named& named : named_quantities(root, "parameters", errors_))
-      if (acceptable(named)) read_row(named);
+    if (const Value* table = section(root, "fixed", errors_)) read_settings(*table, "fixed", {});
+    if (const Value* table = section(root, "parameters", errors_))
+      for (const Named& named : named_quantities(*table, "parameters", {}, errors_))
+        if (acceptable(named)) read_row(named);
     return std::move(sections_);
+  }
+
+  std::vector<Setting> read_settings(const Value& table, std::string_view section_name,
+                                     std::span<const std::string_view> except) {
+    for (const Named& named : named_quantities(table, section_name, except, errors_))
+      if (acceptable(named)) read_fixed(named);
+    return sections_.settings;
   }
 
  private:
@@ -257,6 +265,12 @@ class Reader {
 QuantitySections read_quantities(const Value& root, const solver::Setup& setup, bool any_soil,
                                  ErrorList& errors) {
   return Reader(setup, any_soil, errors).read(root);
+}
+
+std::vector<Setting> read_settings(const Value& table, std::string_view section,
+                                   std::span<const std::string_view> except, const solver::Setup& setup,
+                                   bool any_soil, ErrorList& errors) {
+  return Reader(setup, any_soil, errors).read_settings(table, section, except);
 }
 
 }  // namespace cpt::parameters

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,5 +38,12 @@ struct QuantitySections {
 /// soils that the profile contains; quantities of other soils are errors unless `any_soil`.
 [[nodiscard]] QuantitySections read_quantities(const Value& root, const solver::Setup& setup, bool any_soil,
                                                ErrorList& errors);
+
+/// The quantities of one table but for the members `except`, such as a point of the design; errors name the
+/// section.
+[[nodiscard]] std::vector<Setting> read_settings(const Value& table, std::string_view section,
+                                                 std::span<const std::string_view> except,
+                                                 const solver::Setup& setup, bool any_soil,
+                                                 ErrorList& errors);
 
 }  // namespace cpt::parameters

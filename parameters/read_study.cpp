@@ -34,9 +34,9 @@ class StudyReader {
   }
 
   Study read() {
-    static constexpr std::array<std::string_view, 10> known = {"title",  "profile", "preset",     "output",
-                                                               "limits", "fixed",   "parameters", "windows",
-                                                               "layers", "zones"};
+    static constexpr std::array<std::string_view, 11> known = {"title",   "profile", "preset",     "output",
+                                                               "limits",  "fixed",   "parameters", "points",
+                                                               "windows", "layers",  "zones"};
     refuse_unknown_keys(root_, "", known, errors_);
     study_.title = text_field(root_, "", "title", false, errors_).value_or(study_.name);
     const bool profile_known = read_profile();
@@ -53,6 +53,7 @@ class StudyReader {
     for (const PlacedRow& placed : sections.rows) study_.rows.push_back(placed.row);
     if (!layers.empty()) study_.baseline.layers = layers;  // setting the soil's height moves the last layer
 
+    read_points(!profile_known && layers.empty());
     read_windows();
     if (profile_known) check_study(study_, sections, places_, errors_);
     return std::move(study_);
@@ -153,6 +154,26 @@ class StudyReader {
       if (sound) zones.push_back({*radius, static_cast<int>(*columns), *rows});
     }
     if (sound && !zones.empty()) study_.baseline.numerics.zones = zones;
+  }
+
+  void read_points(bool any_soil) {
+    static constexpr std::array<std::string_view, 1> name_key = {"name"};
+    std::vector<std::string> names;
+    for (const Value* table : sections(root_, "points", errors_)) {
+      const auto name = text_field(*table, "points", "name", true, errors_);
+      if (name && (name->empty() || std::find(names.begin(), names.end(), *name) != names.end()))
+        errors_.add(table->find("name")->value.place, "points.name",
+                    name->empty() ? "is empty" : fmt::format("\"{}\" names another point already", *name));
+      names.push_back(name.value_or(""));
+      DesignPoint point{name.value_or(""), {}};
+      for (const Setting& setting :
+           read_settings(*table, "points", name_key, study_.baseline, any_soil, errors_))
+        point.changes.push_back({setting.quantity, setting.value});
+      if (point.changes.empty())
+        errors_.add(table->place, "points", "changes nothing", "give at least one quantity a value");
+      study_.points.push_back(std::move(point));
+      places_.points.push_back(table->place);
+    }
   }
 
   void read_windows() {

@@ -8,19 +8,23 @@
 
 namespace cpt::parameters {
 
-enum class Side { baseline, lower, upper };
+enum class Side { baseline, lower, upper, point };
 [[nodiscard]] std::string_view to_string(Side side);
 
 struct Realization {
-  int id = 0;    ///< from 1, stable for a study: the baseline is 1, then rows in file order, lower first
-  int row = -1;  ///< index into Study::rows; -1 for the baseline
+  int id = 0;    ///< from 1: the baseline is 1, then rows in file order, lower first, then points
+  int row = -1;  ///< index into Study::rows; -1 for the baseline and points
   Side side = Side::baseline;
+  int point = -1;  ///< index into Study::points; -1 but for points
 };
 
-/// Dotted name of the changed quantity; "" for the baseline.
+/// Dotted name of the changed quantity, a point's own name; "" for the baseline.
 [[nodiscard]] std::string_view parameter_name(const Study& study, const Realization& realization);
-/// Value of the changed quantity in its study unit; NaN for the baseline.
+/// Value of the changed quantity in its study unit; NaN for the baseline and points.
 [[nodiscard]] double parameter_value(const Study& study, const Realization& realization);
+/// What differs from the baseline as text: "27.9", "rigid", for a point "sand.H = 50, sand.nu = 0.3"; "" for
+/// the baseline.
+[[nodiscard]] std::string value_text(const Study& study, const Realization& realization);
 /// Pure map from a realization to the solver's input.
 [[nodiscard]] solver::Setup make_setup(const Study& study, const Realization& realization);
 /// Every input of the realization (solver::canonical_text of its setup): equal texts mean equal runs.

@@ -19,6 +19,18 @@ struct Row {
   double upper;  ///< equal to baseline where one-sided
 };
 
+/// A value for a quantity, in its study unit.
+struct Change {
+  const solver::Quantity* quantity;
+  double value;
+};
+
+/// A realization beside those of the rows: several inputs changed at once.
+struct DesignPoint {
+  std::string name;  ///< unique in the study; letters, digits, _ - . and spaces
+  std::vector<Change> changes;
+};
+
 /// Depth interval over which q_c is averaged.
 struct Window {
   enum class Kind { fixed, peak, trough };
@@ -37,6 +49,7 @@ struct Study {
   solver::Preset preset;
   solver::Setup baseline;            ///< preset + fixed inputs + every row's baseline
   std::vector<Row> rows;             ///< in file order
+  std::vector<DesignPoint> points;   ///< in file order
   std::vector<Window> windows;       ///< at least one
   std::filesystem::path database;    ///< default NAME.sqlite beside the study
   std::filesystem::path curves;      ///< default NAME.h5

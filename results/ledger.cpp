@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "results/ledger_rows.hpp"
 #include "results/provenance.hpp"
 #include "results/schema.hpp"
+#include "results/snapshot.hpp"
 
 namespace cpt::results {
 namespace {
@@ -126,6 +128,8 @@ Ledger Ledger::open_for_run(const parameters::Study& study,
   Database database(file, Database::Mode::read_write);
   const bool created = is_empty(database);
   if (!created) check_schema(database);
+  if (!created && !study.points.empty() && database.integer("PRAGMA user_version") < schema_version)
+    throw Error(file.string() + ": was made before studies could have points; move it away and run again");
   database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
 
   Transaction transaction(database, Transaction::Kind::write);
@@ -167,6 +171,30 @@ std::vector<int> Ledger::pending() const {
       state_->database.prepare("SELECT id FROM realization WHERE status = 'pending' ORDER BY id");
   while (rows.step()) ids.push_back(static_cast<int>(rows.integer(0)));
   return ids;
+}
+
+int Ledger::adopt(const std::filesystem::path& other) {
+  if (!std::filesystem::exists(other)) return 0;
+  const Snapshot from = read_snapshot(other);
+  std::map<std::string, int> pending;
+  {
+    Statement rows =
+        state_->database.prepare("SELECT id, settings_hash FROM realization WHERE status = 'pending'");
+    while (rows.step()) pending[rows.text(1)] = static_cast<int>(rows.integer(0));
+  }
+  int adopted = 0;
+  for (const RealizationRow& row : from.realizations) {
+    const auto same = pending.find(row.settings_hash);
+    if (!row.completed() || same == pending.end()) continue;
+    const auto curve = std::find_if(from.curves.begin(), from.curves.end(),
+                                    [&](const CurveRow& c) { return c.realization == row.id; });
+    if (curve == from.curves.end()) continue;
+    record(same->second, {solver::Status::completed, "", curve->profile, row.audit, row.steps,
+                          row.material_points, row.wall_s});
+    pending.erase(same);
+    ++adopted;
+  }
+  return adopted;
 }
 
 void Ledger::mark_running(int id) {

@@ -68,6 +68,9 @@ class Ledger {
 
   /// Ids to run, rising.
   [[nodiscard]] std::vector<int> pending() const;
+  /// Takes completed realizations of equal settings and solver from another campaign's database as this
+  /// one's; returns how many. Nothing if there is no such file.
+  int adopt(const std::filesystem::path& other);
   /// A pending realization was handed out.
   void mark_running(int id);
   /// A running realization goes back to pending (its worker was lost and it is to be run elsewhere).

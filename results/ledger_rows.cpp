@@ -44,11 +44,9 @@ Resolved<Interval> place(const parameters::Window& window, const Database& datab
 }  // namespace
 
 RealizationInput describe_input(const parameters::Study& study, const parameters::Realization& realization) {
-  const double value = parameters::parameter_value(study, realization);
-  const bool baseline = realization.side == parameters::Side::baseline;
   return {std::string(parameters::parameter_name(study, realization)),
-          std::string(parameters::to_string(realization.side)), value,
-          baseline ? "" : study.rows.at(static_cast<std::size_t>(realization.row)).quantity->format(value),
+          std::string(parameters::to_string(realization.side)), parameters::parameter_value(study, realization),
+          parameters::value_text(study, realization),
           settings_hash(parameters::make_setup(study, realization))};
 }
 

@@ -45,8 +45,8 @@ CREATE TABLE parameter (
 
 CREATE TABLE realization (
   id               INTEGER PRIMARY KEY,
-  parameter        TEXT REFERENCES parameter (name),
-  side             TEXT NOT NULL CHECK (side IN ('baseline', 'lower', 'upper')),
+  parameter        TEXT,
+  side             TEXT NOT NULL CHECK (side IN ('baseline', 'lower', 'upper', 'point')),
   value            REAL,
   value_text       TEXT NOT NULL,
   status           TEXT NOT NULL CHECK (status IN ('pending', 'running', 'completed', 'did_not_converge',
@@ -194,7 +194,7 @@ void check_schema(const Database& database) {
   if (database.integer("PRAGMA application_id") != application_id)
     throw Error(file + ": an SQLite database, but not one of a campaign; name another file");
   const auto version = database.integer("PRAGMA user_version");
-  if (version != schema_version)
+  if (version < oldest_schema_version || version > schema_version)
     throw Error(
         fmt::format("{}: has schema version {}, this program knows version {}; use the program that wrote "
                     "it, or move the file away and run again",

@@ -6,7 +6,9 @@
 namespace cpt::results {
 
 /// Raised whenever a table or view changes in a way that a reader would notice.
-inline constexpr int schema_version = 1;
+inline constexpr int schema_version = 2;
+/// The oldest that is still read, and run on where the study has no points: version 2 only allows more.
+inline constexpr int oldest_schema_version = 1;
 
 /// Creates all tables and views in an empty database.
 void create_schema(const Database& database);

@@ -12,6 +12,8 @@ std::vector<Realization> one_at_a_time(const Study& study) {
     if (row.lower != row.baseline) add(i, Side::lower);
     if (row.upper != row.baseline) add(i, Side::upper);
   }
+  for (int i = 0; i < static_cast<int>(study.points.size()); ++i)
+    realizations.push_back({static_cast<int>(realizations.size()) + 1, -1, Side::point, i});
   return realizations;
 }
 

@@ -9,8 +9,8 @@
 
 namespace cpt::parameters {
 
-/// The baseline first (id 1), then rows in file order, lower before upper. A bound equal to the baseline has
-/// no realization of its own.
+/// The baseline first (id 1), then rows in file order, lower before upper, then the study's points. A bound
+/// equal to the baseline has no realization of its own.
 [[nodiscard]] std::vector<Realization> one_at_a_time(const Study& study);
 
 /// Id of the realization that holds one side of a row; the baseline's where the bound equals the baseline.

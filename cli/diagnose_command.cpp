@@ -1,0 +1,206 @@
+// campaign diagnose REQUEST
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include "campaign/mpi_transport.hpp"
+#include "campaign/run_campaign.hpp"
+#include "campaign/stop_signals.hpp"
+#include "campaign/worker.hpp"
+#include "cli/command.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/realization_command.hpp"
+#include "cli/study_argument.hpp"
+#include "diagnosis/answer_store.hpp"
+#include "diagnosis/assemble.hpp"
+#include "diagnosis/read_request.hpp"
+#include "parameters/designs/one_at_a_time.hpp"
+#include "results/ledger.hpp"
+
+namespace cpt::cli {
+namespace {
+
+using namespace diagnosis;
+
+struct Arguments {
+  std::filesystem::path request;
+  bool plan = false, quiet = false;
+  std::string executor;
+  campaign::RunOptions options;
+};
+
+struct Asked {
+  parameters::Study study;
+  std::string study_text;
+  Request request;
+};
+
+Asked read(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream.is_open()) throw BadInput(fmt::format("cannot read the request {}", file.string()));
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::filesystem::path study_file = study_of_request(text, file);
+  Asked asked;
+  if (!study_file.empty()) {
+    StudyFile study = read_study_file(study_file);
+    asked.study = std::move(study.study);
+    asked.study_text = std::move(study.text);
+  }
+  auto parsed = parse_request(text, file, asked.study);
+  if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
+    throw BadInput(parameters::format(*errors));
+  asked.request = std::get<Request>(std::move(parsed));
+  return asked;
+}
+
+recordings::Recording read_recording(const SoundingRequest& sounding) {
+  auto read = recordings::read_recording(sounding.recording, sounding.options);
+  if (const auto* errors = std::get_if<std::vector<recordings::RecordingError>>(&read))
+    throw BadInput(recordings::format(*errors));
+  return std::get<recordings::Recording>(std::move(read));
+}
+
+std::vector<SoundingData> soundings_of(const Asked& asked) {
+  std::vector<SoundingData> soundings;
+  for (const SoundingRequest& sounding : asked.request.soundings)
+    soundings.push_back({sounding,
+                         sounding_study(asked.study, sounding, asked.request.mechanisms,
+                                        asked.request.repeats, asked.request.joint),
+                         read_recording(sounding),
+                         {}});
+  return soundings;
+}
+
+// Takes over what the study's own campaign has finished.
+int adopt(const parameters::Study& from, const SoundingStudy& sounding, const std::string& text) {
+  const auto realizations = parameters::one_at_a_time(sounding.study);
+  return results::Ledger::open_for_run(sounding.study, realizations, {text, false}).adopt(from.database);
+}
+
+void print_answer(const Assembled& assembled, const Diagnosis& diagnosis) {
+  for (const std::string& remark : assembled.remarks) fmt::print("note: {}\n", remark);
+  for (const Mismatch& m : diagnosis.location.mismatches)
+    fmt::print("between {:.3f} and {:.3f} m the recording is {:.0f} % ({:.0f} kPa) {} the simulation, p {}\n",
+               m.from, m.to, std::abs(m.percent), std::abs(m.step) / 1e3, m.percent > 0.0 ? "above" : "below",
+               m.p < 0.001 ? "< 0.001" : fmt::format("= {:.3f}", m.p));
+  if (diagnosis.location.mismatches.empty())
+    fmt::print("no depth interval differs by more than the study's parameters and the noise allow\n");
+  fmt::print("answer: {}\n", answer_name(diagnosis));
+  for (const Hypothesis& h : diagnosis.hypotheses)
+    if (h.probability > 0.005) fmt::print("  {:<24} {:.2f}\n", h.name, h.probability);
+  for (const FittedParameter& f : fitted_parameters(diagnosis, assembled.problem))
+    if (diagnosis.best && f.mechanism == diagnosis.hypotheses[*diagnosis.best].name)
+      fmt::print("  {} = {:.3g} +- {:.2g} {}\n", f.quantity, f.value, f.deviation, f.unit);
+  if (diagnosis.held_out)
+    fmt::print("held-out error: {:.1f} % without, {:.1f} % with {}\n",
+               100.0 * std::expm1(diagnosis.held_out->rmse_null),
+               100.0 * std::expm1(diagnosis.held_out->rmse), diagnosis.hypotheses[*diagnosis.best].name);
+}
+
+int diagnose_as_master(const Arguments& arguments, campaign::Transport& transport, bool& ranks_lost) {
+  const campaign::Dismissal dismissal(transport);
+  const Asked asked = read(arguments.request);
+  std::vector<SoundingData> soundings = soundings_of(asked);
+  const auto style = arguments.quiet ? campaign::ProgressDisplay::Style::silent
+                                     : campaign::ProgressDisplay::style_of(stderr);
+  for (SoundingData& sounding : soundings) {
+    const int adopted = adopt(asked.study, sounding.study, asked.study_text);
+    if (!arguments.quiet && adopted > 0)
+      fmt::print("{}: {} realizations taken from {}\n", sounding.request.name, adopted,
+                 asked.study.database.string());
+    campaign::ProgressDisplay display(stderr, style);
+    const campaign::Summary summary =
+        campaign::run_campaign(sounding.study.study, asked.study_text, transport, arguments.options, display);
+    ranks_lost = ranks_lost || summary.ranks_lost;
+    if (summary.signal != 0) {
+      fmt::print(stderr, "stopped by signal {}; the same command goes on where this one stopped\n",
+                 summary.signal);
+      return stopped_by_signal + summary.signal;
+    }
+    sounding.campaign = results::read_snapshot(sounding.study.study.database);
+  }
+
+  try {
+    const Assembled assembled = assemble(asked.request, soundings);
+    Options options;
+    options.seed = asked.request.seed;
+    const Diagnosis diagnosis = diagnose(assembled.problem, options);
+    store_answer(asked.request.database, asked.request.title, diagnosis, assembled.problem);
+    print_answer(assembled, diagnosis);
+    fmt::print("answer in {}\n", asked.request.database.string());
+  } catch (const std::invalid_argument& problem) {
+    throw BadInput(problem.what());
+  }
+  return all_well;
+}
+
+void print_plan(const Asked& asked) {
+  for (const SoundingData& sounding : soundings_of(asked))
+    fmt::print("{}: {} realizations, kept in {}\n", sounding.request.name,
+               parameters::one_at_a_time(sounding.study.study).size(),
+               sounding.study.study.database.string());
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.plan) {
+    if (campaign::rank_from_environment() == 0) print_plan(read(arguments.request));
+    return all_well;
+  }
+  const campaign::StopSignals signals;
+  bool ranks_lost = false;
+  if (!campaign::started_by_mpi()) {
+    campaign::InProcessTransport transport;
+    return diagnose_as_master(arguments, transport, ranks_lost);
+  }
+  campaign::MpiTransport transport;
+  if (transport.rank() != 0) {
+    campaign::serve_master(transport, arguments.options);
+    return all_well;
+  }
+  const int code = diagnose_as_master(arguments, transport, ranks_lost);
+  if (ranks_lost) transport.abandon(code);
+  return code;
+}
+
+}  // namespace
+
+void add_diagnose(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand(
+      "diagnose", "Find out where recordings and simulation part, and which physics would close the gap");
+  command
+      ->add_option("REQUEST", arguments->request,
+                   "NAME.toml: the study, the recordings, the mechanisms; the answer goes to NAME.sqlite")
+      ->type_name("")
+      ->required();
+  command->add_flag("--plan", arguments->plan, "Print how many realizations it takes, and quit");
+  command
+      ->add_option("--slots", arguments->options.slots, "Cores each rank uses [its share of the machine's]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096).description(""));
+  command->add_flag("--quiet", arguments->quiet, "No progress");
+  add_executor_option(*command, arguments->executor);
+  command->footer(std::string(R"(A request is a TOML file:
+
+  title = "Sand, first push"
+  study = "sens.toml"          its parameters within their bounds are no missing physics
+  [[soundings]]
+  recording = "first.csv"
+  columns = { depth_m = "z_m", q_c_MPa = "qc" }
+  from_m = 0.04
+  to_m = 0.32
+
+The solver runs are kept beside the study and used again by the next diagnosis. `campaign list mechanisms` prints
+what is looked for; docs/diagnosis-method.md says how.
+
+)") + exit_code_help);
+  command->callback([arguments, &action] {
+    arguments->options.realization_command = realization_command(arguments->executor);
+    action = [arguments] { return run(*arguments); };
+  });
+}
+
+}  // namespace cpt::cli

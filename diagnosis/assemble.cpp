@@ -1,0 +1,275 @@
+#include "diagnosis/assemble.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "parameters/designs/one_at_a_time.hpp"
+
+namespace cpt::diagnosis {
+namespace {
+
+using parameters::Side;
+
+// The finished curves of one sounding on its grid.
+class Curves {
+ public:
+  Curves(const SoundingData& data, const SoundingGrid& grid) : data_(data), grid_(grid) {
+    realizations_ = parameters::one_at_a_time(data.study.study);
+  }
+
+  /// ln of the cell means, nothing if the realization did not complete.
+  [[nodiscard]] std::optional<VectorXd> of(int id) const {
+    for (const results::RealizationRow& row : data_.campaign.realizations)
+      if (row.id == id && !row.completed()) return std::nullopt;
+    for (const results::CurveRow& curve : data_.campaign.curves)
+      if (curve.realization == id) return log_cell_means(grid_, curve.profile.depth, curve.profile.q_c);
+    return std::nullopt;
+  }
+  [[nodiscard]] std::optional<VectorXd> of_row(int row, Side side) const {
+    return of(parameters::realization_of(realizations_, row, side));
+  }
+  [[nodiscard]] std::optional<VectorXd> of_point(std::size_t point) const {
+    for (const parameters::Realization& realization : realizations_)
+      if (realization.point == static_cast<int>(point)) return of(realization.id);
+    return std::nullopt;
+  }
+  [[nodiscard]] std::optional<VectorXd> baseline() const { return of(realizations_.front().id); }
+
+ private:
+  const SoundingData& data_;
+  SoundingGrid grid_;
+  std::vector<parameters::Realization> realizations_;
+};
+
+// The same run in all soundings end to end; nothing if one of them is missing.
+template <class Get>
+std::optional<VectorXd> joined_run(const std::vector<Curves>& soundings, const Get& get) {
+  std::vector<VectorXd> parts;
+  for (const Curves& sounding : soundings) {
+    const std::optional<VectorXd> part = get(sounding);
+    if (!part) return std::nullopt;
+    parts.push_back(*part);
+  }
+  return concatenate(parts);
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+// What makes a comparison meaningless, told in the recording's own terms.
+void check_recording(const SoundingData& data, const VectorXd& recorded, const VectorXd& simulated) {
+  const std::string& name = data.request.name;
+  std::vector<double> values, depths, ratios;
+  for (const recordings::Reading& reading : data.recording.readings) {
+    if (!std::isfinite(reading.q_c)) continue;
+    depths.push_back(reading.depth);
+    if (reading.depth >= data.request.from && reading.depth <= data.request.to) values.push_back(reading.q_c);
+  }
+  if (depths.empty()) throw std::invalid_argument(fmt::format("{}: the recording holds no q_c at all", name));
+  const auto [first, last] = std::minmax_element(depths.begin(), depths.end());
+  if (values.empty())
+    throw std::invalid_argument(
+        fmt::format("{}: no overlap in depth: the recording has q_c from {:.3f} to {:.3f} m, {:.3f} to "
+                    "{:.3f} m are asked "
+                    "for; mind the unit of the depth column and the datum",
+                    name, *first, *last, data.request.from, data.request.to));
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  if (values.size() > 1 && *least == *most)
+    throw std::invalid_argument(
+        fmt::format("{}: q_c is {:g} Pa in all {} readings: a constant column cannot be diagnosed", name,
+                    *least, values.size()));
+  for (Index i = 0; i < recorded.size(); ++i)
+    if (std::isfinite(recorded(i)) && std::isfinite(simulated(i)))
+      ratios.push_back(recorded(i) - simulated(i));
+  if (ratios.size() < 10)
+    throw std::invalid_argument(
+        fmt::format("{}: {} of {} cells have both a recorded and a simulated q_c, and 10 are needed; the "
+                    "recording has {} "
+                    "values from {:.3f} to {:.3f} m",
+                    name, ratios.size(), recorded.size(), values.size(), data.request.from, data.request.to));
+  const double apart = median(ratios);
+  if (std::abs(apart) > std::log(100.0))
+    throw std::invalid_argument(
+        fmt::format("{}: the recording is {:.3g} times the simulation: mind the unit of q_c, or the "
+                    "study is of another profile",
+                    name, std::exp(apart)));
+}
+
+class Assembler {
+ public:
+  Assembler(const Request& request, const std::vector<SoundingData>& soundings)
+      : request_(request), soundings_(soundings) {}
+
+  Assembled make() {
+    lay_grids();
+    take_recordings();
+    take_parameters();
+    take_repeats();
+    take_joint();
+    take_mechanisms();
+    return std::move(made_);
+  }
+
+ private:
+  void lay_grids() {
+    for (const SoundingData& data : soundings_) {
+      const double height = request_.cell_height;
+      const int cells = static_cast<int>(std::floor((data.request.to - data.request.from) / height + 1e-9));
+      grids_.push_back({data.request.from, height, cells});
+      curves_.emplace_back(data, grids_.back());
+    }
+    made_.problem.cells = cells_of(grids_);
+  }
+
+  void take_recordings() {
+    std::vector<VectorXd> recorded, baseline;
+    for (std::size_t s = 0; s < soundings_.size(); ++s) {
+      const SoundingData& data = soundings_[s];
+      const std::optional<VectorXd> simulated = curves_[s].baseline();
+      if (!simulated)
+        throw std::invalid_argument(data.request.name + ": the baseline's run failed; see the failures of " +
+                                    data.study.study.database.string());
+      recorded.push_back(log_cell_means(grids_[s],
+                                        recordings::column(data.recording, &recordings::Reading::depth),
+                                        recordings::column(data.recording, &recordings::Reading::q_c)));
+      check_recording(data, recorded.back(), *simulated);
+      baseline.push_back(*simulated);
+    }
+    made_.problem.recorded = concatenate(recorded);
+    made_.problem.baseline = concatenate(baseline);
+    if (request_.measurement > 0.0)
+      made_.problem.measurement = NoiseModel{Kernel::ar1, request_.measurement, request_.correlation};
+    made_.problem.numerical_shares = request_.simulated ? 2.0 : 1.0;
+  }
+
+  // Rows that are uncertain in every sounding; what is known in one is taken as it is there.
+  void take_parameters() {
+    const std::vector<parameters::Row>& rows = soundings_.front().study.study.rows;
+    for (const parameters::Row& row : rows) {
+      ParameterEffect effect;
+      effect.name = std::string(row.quantity->name);
+      effect.baseline = (row.baseline - row.lower) / (row.upper - row.lower);
+      effect.two_valued = !row.quantity->choices.empty();
+      const auto side = [&](Side which) -> VectorXd {
+        const auto run = joined_run(curves_, [&](const Curves& curves) -> std::optional<VectorXd> {
+          const auto& own = soundings_[static_cast<std::size_t>(&curves - curves_.data())].study.study.rows;
+          for (std::size_t k = 0; k < own.size(); ++k)
+            if (own[k].quantity == row.quantity) return curves.of_row(static_cast<int>(k), which);
+          return curves.baseline();
+        });
+        return run ? *run : VectorXd();
+      };
+      if (row.lower != row.baseline) effect.lower = side(Side::lower);
+      if (row.upper != row.baseline) effect.upper = side(Side::upper);
+      if (effect.lower.size() == 0 && effect.upper.size() == 0)
+        made_.remarks.push_back(fmt::format("{} is left out: its runs failed", row.quantity->name));
+      else
+        made_.problem.parameters.push_back(std::move(effect));
+    }
+  }
+
+  MatrixXd points(std::size_t first, std::size_t count, std::vector<std::size_t>& kept) {
+    std::vector<VectorXd> columns;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto run = joined_run(curves_, [&](const Curves& curves) { return curves.of_point(first + k); });
+      if (!run) {
+        made_.remarks.push_back(fmt::format("{} is left out: its run failed",
+                                            soundings_.front().study.study.points[first + k].name));
+        continue;
+      }
+      columns.push_back(*run);
+      kept.push_back(k);
+    }
+    MatrixXd all(made_.problem.baseline.size(), static_cast<Index>(columns.size()));
+    for (std::size_t k = 0; k < columns.size(); ++k) all.col(static_cast<Index>(k)) = columns[k];
+    return all;
+  }
+
+  void take_repeats() {
+    const Design& design = soundings_.front().study.design;
+    std::vector<std::size_t> kept;
+    made_.problem.repeats = points(design.first_repeat, design.repeats, kept);
+  }
+
+  void take_joint() {
+    const SoundingStudy& first = soundings_.front().study;
+    std::vector<std::size_t> kept;
+    const MatrixXd runs = points(first.design.first_joint, first.design.joint, kept);
+    made_.problem.joint_residuals.resize(runs.rows(), runs.cols());
+    if (runs.cols() == 0) return;
+    const AdditiveModel model(made_.problem.baseline, made_.problem.parameters);
+    for (Index k = 0; k < runs.cols(); ++k) {
+      const auto& changes =
+          first.study.points[first.design.first_joint + kept[static_cast<std::size_t>(k)]].changes;
+      VectorXd t = model.baseline_place();
+      for (Index j = 0; j < t.size(); ++j)
+        for (std::size_t c = 0; c < changes.size(); ++c)
+          if (changes[c].quantity->name == model.names()[static_cast<std::size_t>(j)]) {
+            const parameters::Row& row = first.study.rows[c];
+            t(j) = (changes[c].value - row.lower) / (row.upper - row.lower);
+          }
+      made_.problem.joint_residuals.col(k) = runs.col(k) - model.predict(t);
+    }
+  }
+
+  void take_mechanisms() {
+    for (const MechanismDesign& design : soundings_.front().study.design.mechanisms) {
+      std::vector<std::size_t> kept;
+      const MatrixXd runs = points(design.first_point, static_cast<std::size_t>(design.unit.rows()), kept);
+      const auto least = 4 * static_cast<std::ptrdiff_t>(design.varied.size());
+      if (static_cast<std::ptrdiff_t>(kept.size()) < least) {
+        made_.remarks.push_back(fmt::format("{} is left out: {} of its runs completed, {} are needed",
+                                            design.mechanism->name, kept.size(), least));
+        continue;
+      }
+      MechanismEffect effect;
+      effect.name = std::string(design.mechanism->name);
+      for (const std::size_t varied : design.varied)
+        effect.parameters.emplace_back(design.mechanism->parameters[varied].quantity.name);
+      effect.design.resize(runs.cols(), design.unit.cols());
+      for (Index k = 0; k < runs.cols(); ++k)
+        effect.design.row(k) = design.unit.row(static_cast<Index>(kept[static_cast<std::size_t>(k)]));
+      effect.delta = runs.colwise() - made_.problem.baseline;
+      effect.vanishes_at_zero = vanishes_at_zero(design);
+      made_.problem.mechanisms.push_back(std::move(effect));
+      made_.mechanisms.push_back(design);
+    }
+  }
+
+  // Off, whatever the other parameters, where the first varied one is at the bottom of its prior.
+  static bool vanishes_at_zero(const MechanismDesign& design) {
+    const auto& parameters = design.mechanism->parameters;
+    solver::Setup off;
+    for (std::size_t j = 0; j < parameters.size(); ++j)
+      parameters[j].quantity.set_value(off, j == 0 ? parameters[j].prior_lower : parameters[j].prior_upper);
+    if (design.varied.front() != 0 || parameters.front().prior_lower != 0.0) return false;
+    // A second parameter that acts by itself (the gap of a wall, the wear of an apex) has a default of zero
+    // too.
+    const solver::Setup defaults;
+    return std::none_of(
+        parameters.begin() + 1, parameters.end(), [&](const solver::MechanismParameter& parameter) {
+          return parameter.quantity.get(defaults) == 0.0 && parameter.quantity.get(off) != 0.0;
+        });
+  }
+
+  const Request& request_;
+  const std::vector<SoundingData>& soundings_;
+  std::vector<SoundingGrid> grids_;
+  std::vector<Curves> curves_;
+  Assembled made_;
+};
+
+}  // namespace
+
+Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings) {
+  return Assembler(request, soundings).make();
+}
+
+}  // namespace cpt::diagnosis

@@ -1,0 +1,117 @@
+#include "diagnosis/design.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace cpt::diagnosis {
+namespace {
+
+using parameters::DesignPoint;
+
+// Point k of the additive recurrence with the generalized golden ratio (Roberts 2018): fills the unit cube
+// evenly for any number of points.
+VectorXd quasi_random(int k, Index dimensions) {
+  double ratio = 1.5;
+  for (int i = 0; i < 60; ++i) ratio = std::pow(1.0 + ratio, 1.0 / static_cast<double>(dimensions + 1));
+  VectorXd u(dimensions);
+  double step = 1.0;
+  for (Index j = 0; j < dimensions; ++j) {
+    step /= ratio;
+    const double x = 0.5 + (k + 1) * step;
+    u(j) = x - std::floor(x);
+  }
+  return u;
+}
+
+// The baseline with material points, mesh and time step slightly otherwise: nothing that a user would notice.
+DesignPoint repeat(const solver::Setup& baseline, int k) {
+  const VectorXd u = quasi_random(k, 3);
+  const auto set = [&](std::string_view name, double si) {
+    const solver::Quantity* quantity = solver::find_quantity(name);
+    return parameters::Change{quantity, si / quantity->scale};
+  };
+  return {fmt::format("repeat {}", k + 1),
+          {set("numerics.point_shift", 0.8 * u(0) - 0.4),
+           set("numerics.courant", baseline.numerics.courant * (0.8 + 0.2 * u(1))),
+           set("numerics.near_height_m", baseline.numerics.near_height * (1.0 + 0.06 * u(2)))}};
+}
+
+DesignPoint joint(const std::vector<parameters::Row>& rows, int k) {
+  const VectorXd u = quasi_random(k, static_cast<Index>(rows.size()));
+  DesignPoint point{fmt::format("joint {}", k + 1), {}};
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    const parameters::Row& row = rows[j];
+    const double t = u(static_cast<Index>(j));
+    double value = row.lower + t * (row.upper - row.lower);
+    if (!row.quantity->choices.empty()) value = t < 0.5 ? row.lower : row.upper;
+    if (row.quantity->integer) value = std::round(value);
+    point.changes.push_back({row.quantity, value});
+  }
+  return point;
+}
+
+MechanismDesign design_of(const solver::Mechanism& mechanism, std::vector<DesignPoint>& points) {
+  MechanismDesign design{&mechanism, {}, {}, points.size()};
+  for (std::size_t j = 0; j < mechanism.parameters.size(); ++j)
+    if (mechanism.parameters[j].prior_lower < mechanism.parameters[j].prior_upper) design.varied.push_back(j);
+  const auto dimensions = static_cast<Index>(design.varied.size());
+  const int runs = dimensions == 1 ? 5 : dimensions == 2 ? 9 : 14;
+  design.unit.resize(runs, dimensions);
+  for (int k = 0; k < runs; ++k) {
+    // On one axis equal steps up to the strongest; else evenly spread, corners stretched in.
+    const VectorXd u =
+        dimensions == 1 ? VectorXd::Constant(1, (k + 1.0) / runs) : quasi_random(k, dimensions);
+    DesignPoint point{fmt::format("{} {}", mechanism.name, k + 1), {}};
+    for (std::size_t j = 0; j < mechanism.parameters.size(); ++j) {
+      const solver::MechanismParameter& parameter = mechanism.parameters[j];
+      double value = parameter.prior_lower;
+      for (Index v = 0; v < dimensions; ++v)
+        if (design.varied[static_cast<std::size_t>(v)] == j) value = prior_value(parameter, u(v));
+      point.changes.push_back({&parameter.quantity, value});
+    }
+    design.unit.row(k) = u.transpose();
+    points.push_back(std::move(point));
+  }
+  return design;
+}
+
+}  // namespace
+
+double prior_value(const solver::MechanismParameter& parameter, double place) {
+  return parameter.prior_lower + place * (parameter.prior_upper - parameter.prior_lower);
+}
+
+SoundingStudy sounding_study(const parameters::Study& study, const SoundingRequest& sounding,
+                             const std::vector<const solver::Mechanism*>& mechanisms, int repeats,
+                             int joints) {
+  SoundingStudy made{study, {}};
+  parameters::Study& own = made.study;
+  std::string suffix = "-diagnosis";
+  for (const parameters::Change& change : sounding.changes) {
+    change.quantity->set_value(own.baseline, change.value);
+    // What is known is no longer uncertain.
+    std::erase_if(own.rows, [&](const parameters::Row& row) { return row.quantity == change.quantity; });
+    suffix += fmt::format("-{}-{}", change.quantity->name, change.quantity->format(change.value));
+  }
+  own.name = study.name + suffix;
+  own.title = study.title + ", runs for a diagnosis";
+  const std::filesystem::path folder = study.database.parent_path();
+  own.database = folder / (own.name + ".sqlite");
+  own.curves = folder / (own.name + ".h5");
+  own.report_dir = folder / (own.name + "-report");
+  own.points.clear();
+
+  Design& design = made.design;
+  design.first_repeat = 0;
+  design.repeats = static_cast<std::size_t>(repeats);
+  for (int k = 0; k < repeats; ++k) own.points.push_back(repeat(own.baseline, k));
+  design.first_joint = own.points.size();
+  design.joint = own.rows.empty() ? 0 : static_cast<std::size_t>(joints);
+  for (std::size_t k = 0; k < design.joint; ++k) own.points.push_back(joint(own.rows, static_cast<int>(k)));
+  for (const solver::Mechanism* mechanism : mechanisms)
+    design.mechanisms.push_back(design_of(*mechanism, own.points));
+  return made;
+}
+
+}  // namespace cpt::diagnosis

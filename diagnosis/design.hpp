@@ -1,0 +1,38 @@
+// The solver runs that a diagnosis needs, as points of a study: the campaign runs, stores and resumes them
+// like any other, and keeps them for the next diagnosis of the same study.
+#pragma once
+
+#include "diagnosis/depth_grid.hpp"
+#include "diagnosis/request.hpp"
+
+namespace cpt::diagnosis {
+
+/// The runs of one mechanism.
+struct MechanismDesign {
+  const solver::Mechanism* mechanism;
+  std::vector<std::size_t> varied;  ///< of its parameters: those whose prior is a range
+  MatrixXd unit;                    // runs x varied, in the unit cube
+  std::size_t first_point;          ///< index into the study's points; its runs follow one another
+};
+
+struct Design {
+  std::size_t first_repeat, repeats;  ///< indices into the study's points
+  std::size_t first_joint, joint;
+  std::vector<MechanismDesign> mechanisms;
+};
+
+/// The study of one sounding: the baseline with what is known to differ, the study's rows, and the design's
+/// points; database NAME-diagnosis.sqlite beside the study's own, with a name of its own for each set of
+/// known inputs.
+struct SoundingStudy {
+  parameters::Study study;
+  Design design;
+};
+[[nodiscard]] SoundingStudy sounding_study(const parameters::Study& study, const SoundingRequest& sounding,
+                                           const std::vector<const solver::Mechanism*>& mechanisms,
+                                           int repeats, int joint);
+
+/// Value of a mechanism's parameter [study units] at a place in the unit interval of its prior.
+[[nodiscard]] double prior_value(const solver::MechanismParameter& parameter, double place);
+
+}  // namespace cpt::diagnosis

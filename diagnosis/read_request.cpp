@@ -1,0 +1,227 @@
+#include "diagnosis/read_request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "parameters/fields.hpp"
+#include "parameters/read_quantities.hpp"
+#include "recordings/csv.hpp"
+
+namespace cpt::diagnosis {
+namespace {
+
+using namespace parameters;
+
+class RequestReader {
+ public:
+  RequestReader(const Value& root, const std::filesystem::path& file, const Study& study, ErrorList& errors)
+      : root_(root), study_(study), errors_(errors) {
+    request_.file = std::filesystem::absolute(file).lexically_normal();
+    request_.name = request_.file.stem().string();
+    request_.study = study.file;
+    request_.database = beside(request_.name + ".sqlite");
+    request_.report_dir = beside(request_.name + "-report");
+  }
+
+  Request read() {
+    static constexpr std::array<std::string_view, 6> known = {"title",     "study", "mechanisms",
+                                                              "soundings", "noise", "options"};
+    refuse_unknown_keys(root_, "", known, errors_);
+    request_.title = text_field(root_, "", "title", false, errors_).value_or(request_.name);
+    (void)text_field(root_, "", "study", true, errors_);
+    read_mechanisms();
+    read_noise();
+    read_options();
+    for (const Value* table : sections(root_, "soundings", errors_)) read_sounding(*table);
+    if (request_.soundings.empty() && errors_.empty())
+      errors_.add({}, "soundings", "is missing: a diagnosis needs at least one recording",
+                  "add [[soundings]] with recording, from_m and to_m");
+    if (request_.database == study_.database)
+      errors_.add({}, "",
+                  fmt::format("the diagnosis would be written over the study's database {}",
+                              study_.database.string()),
+                  "give the request another file name");
+    return std::move(request_);
+  }
+
+ private:
+  [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& path) const {
+    return (request_.file.parent_path() / path).lexically_normal();
+  }
+
+  void read_mechanisms() {
+    const Member* member = root_.find("mechanisms");
+    if (member == nullptr) {
+      for (const solver::Mechanism& mechanism : solver::all_mechanisms())
+        if (applies(mechanism, study_.baseline)) request_.mechanisms.push_back(&mechanism);
+      return;
+    }
+    if (member->value.kind != Value::Kind::array)
+      return errors_.add(member->place, "mechanisms", "must be a list of names",
+                         "`campaign list mechanisms` prints them");
+    std::vector<std::string_view> names;
+    for (const solver::Mechanism& mechanism : solver::all_mechanisms()) names.push_back(mechanism.name);
+    for (const Value& item : member->value.items) {
+      const solver::Mechanism* mechanism = solver::find_mechanism(item.text);
+      const std::string_view near = solver::nearest_name(item.text, names);
+      if (mechanism == nullptr)
+        errors_.add(item.place, "mechanisms", fmt::format("\"{}\" is not a mechanism", item.text),
+                    near.empty() ? "`campaign list mechanisms` prints them"
+                                 : fmt::format("did you mean \"{}\"?", near));
+      else if (!applies(*mechanism, study_.baseline))
+        errors_.add(item.place, "mechanisms",
+                    fmt::format("\"{}\" acts on nothing in this study's profile", item.text));
+      else if (std::ranges::count(request_.mechanisms, mechanism) > 0)
+        errors_.add(item.place, "mechanisms", fmt::format("\"{}\" is given twice", item.text));
+      else
+        request_.mechanisms.push_back(mechanism);
+    }
+    if (member->value.items.empty())
+      errors_.add(member->place, "mechanisms", "is empty", "leave it out for all");
+  }
+
+  // A positive number of a section, times its unit.
+  void read_positive(const Value& table, std::string_view prefix, std::string_view key, double unit,
+                     double& into) {
+    const auto number = number_field(table, prefix, key, false, errors_);
+    if (!number) return;
+    if (*number > 0.0)
+      into = *number * unit;
+    else
+      errors_.add(table.find(key)->value.place, joined(prefix, key),
+                  fmt::format("{} must be above 0", *number));
+  }
+
+  void read_count(const Value& table, std::string_view key, int least, int& into) {
+    const auto number = number_field(table, "options", key, false, errors_);
+    if (!number) return;
+    if (*number == std::round(*number) && *number >= least && *number <= 1000)
+      into = static_cast<int>(*number);
+    else
+      errors_.add(table.find(key)->value.place, joined("options", key),
+                  fmt::format("{} must be a whole number from {} to 1000", *number, least));
+  }
+
+  void read_noise() {
+    static constexpr std::array<std::string_view, 3> known = {"measurement_percent", "correlation_mm",
+                                                              "simulated"};
+    const Value* table = section(root_, "noise", errors_);
+    if (table == nullptr) return;
+    refuse_unknown_keys(*table, "noise", known, errors_);
+    read_positive(*table, "noise", "measurement_percent", 0.01, request_.measurement);
+    read_positive(*table, "noise", "correlation_mm", 0.001, request_.correlation);
+    if (const Member* simulated = table->find("simulated")) {
+      if (simulated->value.kind != Value::Kind::boolean)
+        errors_.add(simulated->place, "noise.simulated", "must be true or false");
+      request_.simulated = simulated->value.number != 0.0;
+    }
+  }
+
+  void read_options() {
+    static constexpr std::array<std::string_view, 4> known = {"cell_mm", "repeats", "joint", "seed"};
+    const Value* table = section(root_, "options", errors_);
+    if (table == nullptr) return;
+    refuse_unknown_keys(*table, "options", known, errors_);
+    read_positive(*table, "options", "cell_mm", 0.001, request_.cell_height);
+    read_count(*table, "repeats", 3, request_.repeats);
+    read_count(*table, "joint", 0, request_.joint);
+    if (const auto seed = number_field(*table, "options", "seed", false, errors_))
+      request_.seed = static_cast<std::uint64_t>(std::abs(*seed));
+  }
+
+  void read_columns(const Value& table, SoundingRequest& sounding) {
+    const Member* columns = table.find("columns");
+    if (columns == nullptr) return;
+    if (columns->value.kind != Value::Kind::table)
+      return errors_.add(columns->place, "soundings.columns", "must be a table such as { depth_m = \"z\" }");
+    for (const Member& member : columns->value.members) {
+      const std::string key = "soundings.columns." + member.key;
+      if (const std::string problem = recordings::quantity_problem(member.key); !problem.empty())
+        errors_.add(member.place, key, problem);
+      else if (member.value.kind != Value::Kind::text)
+        errors_.add(member.place, key, "must be the name of a column of the file");
+      else
+        sounding.options.columns.push_back({member.key, member.value.text});
+    }
+  }
+
+  void read_sounding(const Value& table) {
+    static constexpr std::array<std::string_view, 6> known = {"name",   "recording", "columns",
+                                                              "from_m", "to_m",      "fixed"};
+    refuse_unknown_keys(table, "soundings", known, errors_);
+    SoundingRequest sounding;
+    const auto recording = text_field(table, "soundings", "recording", true, errors_);
+    const auto from = number_field(table, "soundings", "from_m", true, errors_);
+    const auto to = number_field(table, "soundings", "to_m", true, errors_);
+    sounding.recording = beside(recording.value_or(""));
+    sounding.name =
+        text_field(table, "soundings", "name", false, errors_).value_or(sounding.recording.stem().string());
+    read_columns(table, sounding);
+    if (const Member* fixed = table.find("fixed")) {
+      if (fixed->value.kind != Value::Kind::table)
+        errors_.add(fixed->place, "soundings.fixed", "must be a table of quantities and values");
+      else
+        for (const Setting& setting :
+             read_settings(fixed->value, "soundings.fixed", {}, study_.baseline, false, errors_))
+          sounding.changes.push_back({setting.quantity, setting.value});
+    }
+    if (!from || !to) return;
+    sounding.from = *from;
+    sounding.to = *to;
+    check_depths(table, sounding);
+    request_.soundings.push_back(std::move(sounding));
+  }
+
+  void check_depths(const Value& table, const SoundingRequest& sounding) {
+    const Place place = table.find("to_m")->value.place;
+    const double final_depth = study_.baseline.penetrometer.final_depth;
+    const double least = 10.0 * request_.cell_height;
+    if (sounding.to - sounding.from < least)
+      errors_.add(
+          place, "soundings.to_m",
+          fmt::format("{} m to {} m is less than 10 cells of the depth grid", sounding.from, sounding.to),
+          fmt::format("compare at least {:g} m", least));
+    else if (sounding.to > final_depth + 1e-9)
+      errors_.add(place, "soundings.to_m",
+                  fmt::format("{} m is below the end of the study's push, penetrometer.final_depth_m = {}",
+                              sounding.to, final_depth));
+    else if (sounding.from < 0.03)
+      errors_.add(
+          table.find("from_m")->value.place, "soundings.from_m",
+          fmt::format("{} m lies within the start of the simulated push, whose cone is wished in place",
+                      sounding.from),
+          "begin at 0.03 m or deeper");
+  }
+
+  const Value& root_;
+  const Study& study_;
+  ErrorList& errors_;
+  Request request_;
+};
+
+}  // namespace
+
+RequestOrErrors parse_request(std::string_view toml, const std::filesystem::path& file, const Study& study) {
+  ErrorList errors(file.string());
+  const auto document = parse_document(toml);
+  if (const auto* syntax = std::get_if<SyntaxError>(&document)) {
+    errors.add(syntax->place, "", syntax->message, "the rest of the file is checked once this is mended");
+    return errors.sorted();
+  }
+  Request request = RequestReader(std::get<Value>(document), file, study, errors).read();
+  if (!errors.empty()) return errors.sorted();
+  return request;
+}
+
+std::filesystem::path study_of_request(std::string_view toml, const std::filesystem::path& file) {
+  const auto document = parse_document(toml);
+  const auto* root = std::get_if<Value>(&document);
+  const Member* study = root != nullptr ? root->find("study") : nullptr;
+  if (study == nullptr || study->value.kind != Value::Kind::text) return {};
+  return (std::filesystem::absolute(file).parent_path() / study->value.text).lexically_normal();
+}
+
+}  // namespace cpt::diagnosis
