@@ -25,8 +25,8 @@ struct NoiseModel {
 [[nodiscard]] MatrixXd noise_covariance(const std::vector<Cell>& cells, const NoiseModel& noise);
 
 /// The noise of independent columns y_k = trends b_k + e_k, b_k unknown, by restricted maximum likelihood
-/// (Patterson and Thompson 1971) over lengths from 0.2 cells to `longest` [m]. Cosines down
-/// to a wavelength as `trends` make it the noise of the high-pass part, unbiased by the filter. Throws
+/// (Patterson and Thompson 1971) over lengths from 0.2 cells to `longest` [m]. Cosines down to
+/// a wavelength as `trends` make it the noise of the high-pass part, unbiased by the filter. Throws
 /// std::invalid_argument if there are not more rows than trends.
 [[nodiscard]] NoiseModel fit_noise(const std::vector<Cell>& cells, const MatrixXd& samples,
                                    const MatrixXd& trends, double longest, Kernel kernel = Kernel::ar1);

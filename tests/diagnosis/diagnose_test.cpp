@@ -74,6 +74,9 @@ TEST(Diagnose, NamesWhatIsMissing) {
       located += overlap({{m.from, m.to}}, {{0.289, 0.389}}) > 0.6 ? 1 : 0;
     }
   }
+  RecordProperty("right_of_12", right);
+  RecordProperty("held_out_gain_above_0_of_12", proved);
+  RecordProperty("lens_located_of_4", located);
   EXPECT_GE(right, 3 * each - 1);
   EXPECT_GE(proved, 2 * each);
   EXPECT_GE(located, each - 1);
@@ -90,6 +93,8 @@ TEST(Diagnose, LeavesNothingMissingWhereNothingIsOrParametersWouldDo) {
     confounded += answer(d) == nothing_is_missing ? 1 : 0;
     EXPECT_LT(d.isolability(3, 4), 2.5);
   }
+  RecordProperty("alarms_of_20", alarms);
+  RecordProperty("confounded_called_nothing_of_5", confounded);
   EXPECT_LE(alarms, 2);
   EXPECT_GE(confounded, 4);
 }
@@ -99,6 +104,7 @@ TEST(Diagnose, SaysNoneOfTheseOfAnUnknownEffect) {
   int abstained = 0;
   for (std::uint64_t seed = 300; seed < 305; ++seed)
     abstained += answer(diagnose(problem(seed, wave), quick())) == none_of_these ? 1 : 0;
+  RecordProperty("abstained_of_5", abstained);
   EXPECT_GE(abstained, 5);
 }
 
