@@ -58,10 +58,12 @@ MechanismDesign design_of(const solver::Mechanism& mechanism, std::vector<Design
   const auto dimensions = static_cast<Index>(design.varied.size());
   const int runs = dimensions == 1 ? 5 : dimensions == 2 ? 9 : 14;
   design.unit.resize(runs, dimensions);
+  // Along one axis in equal steps up to the strongest, or around no strength without a run there.
+  constexpr double two_sided[] = {0.0, 0.22, 0.44, 0.72, 1.0};
+  const bool one_sided = mechanism.parameters.front().prior_lower == 0.0;
   for (int k = 0; k < runs; ++k) {
-    // On one axis equal steps up to the strongest; else evenly spread, corners stretched in.
-    const VectorXd u =
-        dimensions == 1 ? VectorXd::Constant(1, (k + 1.0) / runs) : quasi_random(k, dimensions);
+    VectorXd u = quasi_random(k, dimensions);
+    if (dimensions == 1) u(0) = one_sided ? (k + 1.0) / runs : two_sided[k];
     DesignPoint point{fmt::format("{} {}", mechanism.name, k + 1), {}};
     for (std::size_t j = 0; j < mechanism.parameters.size(); ++j) {
       const solver::MechanismParameter& parameter = mechanism.parameters[j];

@@ -169,7 +169,7 @@ class StudyReader {
       for (const Setting& setting :
            read_settings(*table, "points", name_key, study_.baseline, any_soil, errors_))
         point.changes.push_back({setting.quantity, setting.value});
-      if (point.changes.empty())
+      if (table->members.size() <= (name ? 1U : 0U))
         errors_.add(table->place, "points", "changes nothing", "give at least one quantity a value");
       study_.points.push_back(std::move(point));
       places_.points.push_back(table->place);

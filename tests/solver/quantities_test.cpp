@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "solver/mechanisms/catalogue.hpp"
 #include "solver/presets.hpp"
 
 namespace cpt::solver {
@@ -47,7 +48,12 @@ constexpr std::size_t member_count() {
 
 TEST(Quantities, EveryInputOfTheSetupIsListed) {
   std::map<std::string_view, std::size_t> listed;
-  for (const Quantity& q : all_quantities()) ++listed[q.name.substr(0, q.name.find('.'))];
+  std::size_t of_mechanisms = 0;
+  for (const Quantity& q : all_quantities())
+    if (is_mechanism_parameter(q.name))
+      ++of_mechanisms;
+    else
+      ++listed[q.name.substr(0, q.name.find('.'))];
   EXPECT_EQ(listed["sand"], member_count<Sand>());
   EXPECT_EQ(listed["clay"], member_count<Clay>());
   EXPECT_EQ(listed["contact"], member_count<Contact>());
@@ -55,7 +61,10 @@ TEST(Quantities, EveryInputOfTheSetupIsListed) {
   EXPECT_EQ(listed["initial"], member_count<InitialStress>());
   EXPECT_EQ(listed["penetrometer"], member_count<Penetrometer>());
   EXPECT_EQ(listed["numerics"], member_count<Numerics>() - 1);  // all but the zones
-  EXPECT_EQ(listed.size() + 1, member_count<solver::Setup>());  // all but the layers
+  EXPECT_EQ(listed.size() + 2, member_count<solver::Setup>());  // all but the layers and the mechanisms
+  EXPECT_EQ(all_mechanisms().size(), member_count<Mechanisms>());
+  // Every field of a mechanism is a double.
+  EXPECT_EQ(of_mechanisms * sizeof(double), sizeof(Mechanisms));
 }
 
 TEST(Quantities, AreFoundByNameAndFullyDescribed) {
@@ -76,8 +85,9 @@ TEST(Quantities, AreFoundByNameAndFullyDescribed) {
 
 TEST(Quantities, NamesCarryTheUnit) {
   const std::map<std::string_view, std::string_view> suffix_of = {
-      {"kPa", "_kPa"}, {"deg", "_deg"},     {"%", "_percent"},
-      {"m", "_m"},     {"m/s", "_m_per_s"}, {"kg/m3", "_kg_per_m3"}};
+      {"kPa", "_kPa"},         {"deg", "_deg"},         {"%", "_percent"}, {"m", "_m"},
+      {"m/s", "_m_per_s"},     {"kg/m3", "_kg_per_m3"}, {"mm", "_mm"},     {"mm/MPa", "_mm_per_MPa"},
+      {"kPa/m", "_kPa_per_m"}, {"1/s", "_per_s"}};
   for (const Quantity& q : all_quantities()) {
     if (q.unit == "-")
       for (const auto& [unit, suffix] : suffix_of) EXPECT_FALSE(q.name.ends_with(suffix)) << q.name;

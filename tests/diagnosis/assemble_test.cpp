@@ -1,0 +1,118 @@
+// Made-up campaigns whose curves follow known laws.
+#include "diagnosis/assemble.hpp"
+
+#include <cmath>
+
+#include "parameters/designs/one_at_a_time.hpp"
+#include "request_fixture.hpp"
+
+namespace cpt::diagnosis {
+namespace {
+
+// ln q_c of any setup: additive in the study's parameters, and what surface compaction adds.
+double law(const solver::Setup& setup, double depth) {
+  const double compaction = setup.mechanisms.surface_compaction.at(depth);
+  return std::log(3e6 * std::sqrt(depth)) + 1.5 * (setup.sand.D_r - 0.36) + 0.01 * (setup.sand.H - 25.0) +
+         setup.initial.sigma_v0 / 50e3 - 1.0 + 0.8 * compaction + 0.01 * setup.numerics.point_shift;
+}
+
+class Assembling : public ::testing::Test {
+ protected:
+  Assembling() {
+    request = request_of(
+        "study = \"sand.toml\"\nmechanisms = [\"surface_compaction\", \"cushion_transfer\"]\n" + sounding);
+    SoundingData data{request.soundings[0],
+                      sounding_study(quick_sand(), request.soundings[0], request.mechanisms, request.repeats,
+                                     request.joint),
+                      {},
+                      {}};
+    for (const parameters::Realization& realization : parameters::one_at_a_time(data.study.study)) {
+      const solver::Setup setup = parameters::make_setup(data.study.study, realization);
+      results::CurveRow curve{realization.id, {}};
+      for (double depth = 0.02025; depth < 0.30; depth += 0.0005) {
+        curve.profile.depth.push_back(depth);
+        curve.profile.q_c.push_back(std::exp(law(setup, depth)));
+      }
+      results::RealizationRow row;
+      row.id = realization.id;
+      row.status = "completed";
+      data.campaign.realizations.push_back(row);
+      data.campaign.curves.push_back(curve);
+    }
+    record(data, [](double depth) { return 3e6 * std::sqrt(depth); });
+    soundings.push_back(std::move(data));
+  }
+  template <class Curve>
+  static void record(SoundingData& data, const Curve& q_c) {
+    data.recording.readings.clear();
+    for (double depth = 0.0005; depth < 0.30; depth += 0.001) {
+      recordings::Reading reading;
+      reading.depth = depth;
+      reading.q_c = q_c(depth);
+      data.recording.readings.push_back(reading);
+    }
+  }
+  [[nodiscard]] std::string message() const {
+    try {
+      (void)assemble(request, soundings);
+    } catch (const std::invalid_argument& problem) {
+      return problem.what();
+    }
+    return "";
+  }
+  Request request;
+  std::vector<SoundingData> soundings;
+};
+
+TEST_F(Assembling, PutsEveryRunInItsPlace) {
+  const Assembled made = assemble(request, soundings);
+  const Problem& problem = made.problem;
+  EXPECT_EQ(problem.cells.size(), 48U);
+  EXPECT_TRUE(made.remarks.empty());
+  ASSERT_EQ(problem.parameters.size(), 3U);
+  EXPECT_NEAR((problem.parameters[0].upper - problem.baseline).mean(), 0.15, 1e-9);
+  EXPECT_EQ(problem.parameters[1].lower.size(), 0);
+  EXPECT_DOUBLE_EQ(problem.parameters[1].baseline, 0.0);
+  EXPECT_NEAR((problem.recorded - problem.baseline).cwiseAbs().maxCoeff(), 0.0, 1e-3);
+  EXPECT_EQ(problem.repeats.cols(), 8);
+  EXPECT_NEAR(problem.joint_residuals.cwiseAbs().maxCoeff(), 0.0, 1e-9);  // the law is additive
+  ASSERT_EQ(problem.mechanisms.size(), 2U);
+  const MechanismEffect& compaction = problem.mechanisms[0];
+  EXPECT_TRUE(compaction.vanishes_at_zero);
+  const double increase = 0.4 * compaction.design(0, 0), decay = 0.02 + 0.1 * compaction.design(0, 1);
+  EXPECT_NEAR(compaction.delta(0, 0), 0.8 * increase * std::exp(-0.0425 / decay), 2e-3);
+  EXPECT_FALSE(problem.mechanisms[1].vanishes_at_zero);  // its prior goes from a gain to a loss
+}
+
+TEST_F(Assembling, LeavesOutWhatFailedAndSaysSo) {
+  const int id = soundings[0].campaign.realizations.back().id;
+  soundings[0].campaign.realizations.back().status = "did_not_converge";
+  const Assembled made = assemble(request, soundings);
+  ASSERT_EQ(made.remarks.size(), 1U) << id;
+  EXPECT_NE(made.remarks[0].find("cushion_transfer 5"), std::string::npos);
+  EXPECT_EQ(made.problem.mechanisms[1].delta.cols(), 4);
+}
+
+TEST_F(Assembling, AFailedBaselineIsAnError) {
+  soundings[0].campaign.realizations.front().status = "energy_drift";
+  EXPECT_NE(message().find("baseline"), std::string::npos);
+}
+
+TEST_F(Assembling, RecordingsThatDoNotFitAreErrors) {
+  SoundingData& data = soundings[0];
+  record(data, [](double depth) { return 3e9 * std::sqrt(depth); });
+  EXPECT_NE(message().find("unit of q_c"), std::string::npos);
+  record(data, [](double) { return 1e6; });
+  EXPECT_NE(message().find("constant column"), std::string::npos);
+  record(data, [](double) { return std::nan(""); });
+  EXPECT_NE(message().find("no q_c at all"), std::string::npos);
+  record(data, [](double depth) { return 3e6 * std::sqrt(depth); });
+  for (recordings::Reading& reading : data.recording.readings) reading.depth *= 1000.0;
+  EXPECT_NE(message().find("no overlap in depth"), std::string::npos);
+  data.recording.readings.resize(1);
+  data.recording.readings[0].depth = 0.1;
+  EXPECT_NE(message().find("10 are needed"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cpt::diagnosis

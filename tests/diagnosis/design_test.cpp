@@ -1,0 +1,62 @@
+#include "diagnosis/design.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "parameters/designs/one_at_a_time.hpp"
+#include "request_fixture.hpp"
+
+namespace cpt::diagnosis {
+namespace {
+
+SoundingStudy made(const std::string& more = "") {
+  const Request request = request_of("study = \"sand.toml\"\n" + sounding + more);
+  return sounding_study(quick_sand(), request.soundings[0], request.mechanisms, request.repeats,
+                        request.joint);
+}
+
+TEST(Design, EveryRunIsPossibleAndDifferent) {
+  const SoundingStudy sounding_runs = made();
+  std::set<std::string> names, settings;
+  for (const parameters::Realization& realization : parameters::one_at_a_time(sounding_runs.study)) {
+    const solver::Setup setup = parameters::make_setup(sounding_runs.study, realization);
+    for (const solver::Problem& problem : solver::problems(setup))
+      ADD_FAILURE() << parameters::parameter_name(sounding_runs.study, realization) << ": "
+                    << problem.message;
+    settings.insert(parameters::settings_text(sounding_runs.study, realization));
+    if (realization.side == parameters::Side::point)
+      names.insert(std::string(parameters::parameter_name(sounding_runs.study, realization)));
+  }
+  EXPECT_EQ(names.size(), sounding_runs.study.points.size());
+  EXPECT_EQ(settings.size(), parameters::one_at_a_time(sounding_runs.study).size());
+}
+
+TEST(Design, FillsThePriorOfEachMechanism) {
+  const SoundingStudy sounding_runs = made();
+  ASSERT_GE(sounding_runs.design.mechanisms.size(), 9U);
+  for (const MechanismDesign& design : sounding_runs.design.mechanisms) {
+    const Index dimensions = design.unit.cols();
+    EXPECT_GE(design.unit.rows(), 4 * dimensions) << design.mechanism->name;
+    EXPECT_GE(design.unit.minCoeff(), 0.0);
+    EXPECT_LE(design.unit.maxCoeff(), 1.0);
+    for (Index j = 0; j < dimensions; ++j)
+      EXPECT_GT(design.unit.col(j).maxCoeff() - design.unit.col(j).minCoeff(), 0.7) << design.mechanism->name;
+    for (Index k = 0; k < design.unit.rows(); ++k) {
+      const auto& point = sounding_runs.study.points[design.first_point + static_cast<std::size_t>(k)];
+      EXPECT_EQ(point.name.find(design.mechanism->name), 0U);
+      const auto& parameter = design.mechanism->parameters[design.varied[0]];
+      EXPECT_DOUBLE_EQ(point.changes[design.varied[0]].value, prior_value(parameter, design.unit(k, 0)));
+    }
+  }
+}
+
+TEST(Design, WhatIsKnownIsNoLongerUncertain) {
+  const SoundingStudy plain = made(), known = made("fixed = { \"initial.sigma_v0_kPa\" = 60 }\n");
+  EXPECT_EQ(plain.study.rows.size(), known.study.rows.size() + 1);
+  EXPECT_DOUBLE_EQ(known.study.baseline.initial.sigma_v0, 60e3);
+  EXPECT_EQ(plain.study.database, "/studies/sand-diagnosis.sqlite");
+  EXPECT_NE(plain.study.database, known.study.database);
+}
+
+}  // namespace
+}  // namespace cpt::diagnosis

@@ -1,0 +1,74 @@
+#include "diagnosis/read_request.hpp"
+
+#include "request_fixture.hpp"
+
+namespace cpt::diagnosis {
+namespace {
+
+TEST(ReadRequest, DefaultsAndWhatIsWritten) {
+  const Request plain = request_of("study = \"sand.toml\"\n" + sounding);
+  EXPECT_EQ(plain.name, "d");
+  EXPECT_EQ(plain.database, "/requests/d.sqlite");
+  EXPECT_GE(plain.mechanisms.size(), 9U);  // all of sand
+  ASSERT_EQ(plain.soundings.size(), 1U);
+  EXPECT_EQ(plain.soundings[0].recording, "/requests/first.csv");
+  EXPECT_EQ(plain.soundings[0].name, "first");
+
+  const Request full = request_of(
+      "title = \"T\"\nstudy = \"sand.toml\"\nmechanisms = [\"density_lens\", \"worn_cone\"]\n"
+      "[noise]\nmeasurement_percent = 2\ncorrelation_mm = 20\nsimulated = true\n[options]\ncell_mm = "
+      "4\nrepeats = 5\n" +
+      sounding +
+      "name = \"one\"\ncolumns = { depth_m = \"z\", q_c_MPa = \"q\" }\nfixed = { \"initial.sigma_v0_kPa\" = "
+      "60 }\n");
+  EXPECT_EQ(full.title, "T");
+  ASSERT_EQ(full.mechanisms.size(), 2U);
+  EXPECT_EQ(full.mechanisms[1]->name, "worn_cone");
+  EXPECT_DOUBLE_EQ(full.measurement, 0.02);
+  EXPECT_DOUBLE_EQ(full.correlation, 0.02);
+  EXPECT_TRUE(full.simulated);
+  EXPECT_DOUBLE_EQ(full.cell_height, 0.004);
+  EXPECT_EQ(full.repeats, 5);
+  EXPECT_EQ(full.soundings[0].options.columns.size(), 2U);
+  ASSERT_EQ(full.soundings[0].changes.size(), 1U);
+  EXPECT_EQ(full.soundings[0].changes[0].value, 60.0);
+}
+
+TEST(ReadRequest, NamesTheStudyBesideItself) {
+  EXPECT_EQ(study_of_request("study = \"../s/sand.toml\"\n", "/requests/a/d.toml"), "/requests/s/sand.toml");
+  EXPECT_TRUE(study_of_request("title = \"no study\"\n", "/d.toml").empty());
+  EXPECT_TRUE(study_of_request("not toml at all [", "/d.toml").empty());
+}
+
+TEST(ReadRequest, ErrorsSayWhereWhatAndWhatInstead) {
+  const std::string study = "study = \"sand.toml\"\n";
+  struct Case {
+    std::string toml, key, text;
+  };
+  const std::string head = "[[soundings]]\nrecording = \"a.csv\"\n";
+  for (const Case& bad :
+       {Case{sounding, "study", "missing"}, Case{study, "soundings", "at least one recording"},
+        Case{study + "mechanisms = [\"surface_compacton\"]\n" + sounding, "mechanisms",
+             "did you mean \"surface_compaction\""},
+        Case{study + "mechanisms = [\"strain_softening\"]\n" + sounding, "mechanisms", "acts on nothing"},
+        Case{study + "mechanisms = []\n" + sounding, "mechanisms", "is empty"},
+        Case{study + "depth = 3\n" + sounding, "depth", "unknown"},
+        Case{study + head + "from_m = 0.04\nto_m = 0.31\n", "soundings.to_m", "final_depth"},
+        Case{study + head + "from_m = 0.04\nto_m = 0.06\n", "soundings.to_m", "10 cells"},
+        Case{study + head + "from_m = 0.01\nto_m = 0.20\n", "soundings.from_m", "wished in place"},
+        Case{study + head + "from_m = 0.04\nto_m = 280\n", "soundings.to_m", "below the end"},
+        Case{study + sounding + "columns = { q_t_MPa = \"q\" }\n", "soundings.columns.q_t_MPa", "q_c_MPa"},
+        Case{study + sounding + "fixed = { \"sand.H\" = -1 }\n", "soundings.fixed.sand.H",
+             "outside the valid range"},
+        Case{study + "[noise]\nmeasurement_percent = -1\n" + sounding, "noise.measurement_percent",
+             "above 0"},
+        Case{study + "[options]\nrepeats = 1\n" + sounding, "options.repeats", "from 3 to 1000"}}) {
+    const auto errors = errors_of(bad.toml);
+    ASSERT_EQ(errors.size(), 1U) << bad.toml << format(errors);
+    EXPECT_EQ(errors.front().key, bad.key) << format(errors);
+    EXPECT_NE(format(errors).find(bad.text), std::string::npos) << format(errors);
+  }
+}
+
+}  // namespace
+}  // namespace cpt::diagnosis
