@@ -7,7 +7,7 @@ namespace cpt::solver {
 
 Mechanism cushion_transfer_mechanism() {
   return {"cushion_transfer",
-          "the cushion's stress does not all reach the soil",
+          "a cushion whose stress does not all reach the soil",
           "sigma'_v0, sigma'_h0 = (1 - loss) of the cushion's",
           "Yost et al. (2023), section 3; range: transfer measured in chambers",
           "q_c differs in constant proportion from the top down, in sand; hardly in clay.",

@@ -1,0 +1,168 @@
+#include "reports/diagnosis/answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/diagnosis/sentences.hpp"
+#include "reports/diagnosis/words.hpp"
+#include "reports/text.hpp"
+
+namespace cpt::reports::diagnosed {
+namespace {
+
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences)
+    if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
+  return text;
+}
+
+std::vector<std::size_t> mechanisms_in_set(const DiagnosisInput& input) {
+  std::vector<std::size_t> found;
+  for (const std::size_t k : input.diagnosis.set)
+    if (k < input.mechanisms.size()) found.push_back(k);
+  return found;
+}
+
+bool in_set(const DiagnosisInput& input, std::size_t k) {
+  return std::ranges::find(input.diagnosis.set, k) != input.diagnosis.set.end();
+}
+
+std::string chance(const DiagnosisInput& input, std::size_t k) {
+  return "probability " + probability(input.diagnosis.hypotheses[k].probability);
+}
+
+// "A looser lens cannot (probability 0.01)." `can` and `cannot` go with every title, one thing or several.
+std::string runner_up(const DiagnosisInput& input) {
+  for (const std::size_t k : by_probability(input, input.mechanisms.size())) {
+    if (k == input.diagnosis.answer || in_set(input, k)) continue;
+    const bool out = input.diagnosis.hypotheses[k].probability < 0.05;
+    return fmt::format("{} {} ({}).", capitalized(title_of(input, k)),
+                       out ? "cannot" : "would be less likely", chance(input, k));
+  }
+  return "";
+}
+
+// What besides mechanisms the set still holds.
+std::string also_possible(const DiagnosisInput& input) {
+  const std::size_t nothing = input.mechanisms.size(), unknown = nothing + 1;
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  std::string text;
+  if (in_set(input, unknown))
+    text = fmt::format("Something outside the catalogue stays possible ({}).", chance(input, unknown));
+  if (in_set(input, nothing) && d.answer < nothing)
+    text += fmt::format(
+        "{}Its effect stands only {} standard deviations out of what the study's parameters and the noise "
+        "can do.",
+        text.empty() ? "" : " ",
+        number(d.isolability(static_cast<Index>(d.answer), static_cast<Index>(nothing)), 2));
+  return text;
+}
+
+std::string gate(const DiagnosisInput& input) {
+  return input.diagnosis.gate ? check_passed(input, *input.diagnosis.gate) : "";
+}
+
+Answer named(const DiagnosisInput& input) {
+  const std::size_t k = input.diagnosis.answer;
+  const std::string title = capitalized(title_of(input, k));
+  return {AnswerKind::named,
+          title + " can explain what the simulation lacks.",
+          {joined({where_it_differs(input),
+                   fmt::format("{} can explain the difference ({}): {}.", title, chance(input, k),
+                               fitted_parameters(input, k)),
+                   weak_parameters(input, k), runner_up(input), also_possible(input), gate(input)}),
+           joined({held_out(input), solver_confirms(input)}), prior_widths(input)}};
+}
+
+Answer indistinguishable(const DiagnosisInput& input) {
+  std::vector<std::string> titles, fits;
+  for (const std::size_t k : mechanisms_in_set(input)) {
+    titles.push_back(title_of(input, k));
+    fits.push_back(fmt::format("{} ({}): {}.", capitalized(title_of(input, k)), chance(input, k),
+                               fitted_parameters(input, k)));
+  }
+  const std::string next = next_measurement(input);
+  return {AnswerKind::indistinguishable,
+          fmt::format("{}: this recording cannot tell which.", capitalized(listed(titles, "or"))),
+          {joined({where_it_differs(input),
+                   "Each of these can explain the difference, and the recording does "
+                   "not tell them apart."}),
+           joined(fits), joined({also_possible(input), gate(input)}),
+           next.empty() ? "No further measurement was weighed that could tell them apart." : next,
+           joined({held_out(input), solver_confirms(input)}), prior_widths(input)}};
+}
+
+Answer nothing_missing(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  const bool sure = d.hypotheses[d.answer].probability >= 0.5;
+  const std::string weight =
+      sure ? fmt::format("Nothing needs to be added to the simulation ({}).", chance(input, d.answer))
+           : fmt::format(
+                 "There is no firm sign that physics is missing: the probability that nothing is, {}, would "
+                 "have to be below {}.",
+                 probability(d.hypotheses[d.answer].probability), number(input.options.alarm, 2));
+  const std::string next = d.best ? fmt::format("Of the catalogued effects, {} would come first ({}).",
+                                                title_of(input, *d.best), chance(input, *d.best))
+                                  : "";
+  return {AnswerKind::nothing_missing,
+          sure ? "Nothing is missing: the study's parameters within their bounds, and noise, are enough."
+               : "No firm sign that anything is missing.",
+          {joined({where_it_differs(input), weight, gate(input)}),
+           joined({recalibration_error(input), parameters_moved(input)}), joined({next, held_out(input)}),
+           prior_widths(input)}};
+}
+
+Answer none_of_these(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  std::string what =
+      fmt::format("None of the {} catalogued effects accounts for it: that it is something else has {}",
+                  input.mechanisms.size(), chance(input, d.answer));
+  if (d.best)
+    what += fmt::format(", the best of the catalogue, {}, {}", title_of(input, *d.best),
+                        probability(d.hypotheses[*d.best].probability));
+  return {AnswerKind::none_of_these,
+          "Something is missing that is not in the catalogue.",
+          {joined({where_it_differs(input), what + ".", recalibration_error(input)}), best_pair(input),
+           held_out(input), prior_widths(input)}};
+}
+
+Answer gate_failed(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  const bool nothing = d.winner == input.mechanisms.size();
+  const std::string winner = title_of(input, d.winner);
+  const std::string what =
+      nothing ? fmt::format("No effect of the catalogue stands out, and “{}” is left ({}).", winner,
+                            chance(input, d.winner))
+              : fmt::format("{} is the most probable of the catalogue ({}), with {}.", capitalized(winner),
+                            chance(input, d.winner), fitted_parameters(input, d.winner));
+  return {AnswerKind::gate_failed,
+          nothing ? "The study's parameters are not enough, and no effect of the catalogue stands out."
+                  : "No effect of the catalogue passes the check: something else is missing.",
+          {joined({where_it_differs(input), what, gate(input),
+                   fmt::format("Therefore the answer is “{}”.", title_of(input, d.answer))}),
+           best_pair(input), joined({held_out(input), solver_confirms(input)}), prior_widths(input)}};
+}
+
+}  // namespace
+
+const char* name_of(AnswerKind kind) {
+  constexpr const char* names[] = {"named", "indistinguishable", "nothing_missing", "none_of_these",
+                                   "gate_failed"};
+  return names[static_cast<int>(kind)];
+}
+
+Answer answer_of(const DiagnosisInput& input) {
+  const std::size_t mechanisms = input.mechanisms.size();
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  Answer answer = d.answer > mechanisms && d.winner != d.answer ? gate_failed(input)
+                  : d.answer > mechanisms                       ? none_of_these(input)
+                  : d.answer == mechanisms                      ? nothing_missing(input)
+                  : mechanisms_in_set(input).size() > 1         ? indistinguishable(input)
+                                                                : named(input);
+  std::erase(answer.paragraphs, "");
+  return answer;
+}
+
+}  // namespace cpt::reports::diagnosed

@@ -1,0 +1,135 @@
+// Tables of what was found.
+#include <fmt/format.h>
+
+#include "reports/diagnosis/errors.hpp"
+#include "reports/diagnosis/tables.hpp"
+#include "reports/diagnosis/words.hpp"
+#include "reports/paper/markdown.hpp"
+#include "reports/text.hpp"
+
+namespace cpt::reports::diagnosed {
+
+using paper::table_head;
+using paper::table_line;
+
+std::string hypotheses_table(const DiagnosisInput& input) {
+  const auto& hypotheses = input.diagnosis.hypotheses;
+  std::string text = "### Hypotheses\n\n" + table_head({"hypothesis", "prior probability (-)",
+                                                        "log evidence (-)", "probability (-)", ""});
+  for (const std::size_t k : by_probability(input, hypotheses.size())) {
+    std::string note = k == input.diagnosis.answer ? "the answer" : "";
+    for (const std::size_t in : input.diagnosis.set)
+      if (in == k && note.empty()) note = "in the set of answers";
+    text +=
+        table_line({markdown(title_of(input, k)), number(hypotheses[k].prior, 2),
+                    decimals(hypotheses[k].log_evidence, 2), probability(hypotheses[k].probability), note});
+  }
+  return text + "\n";
+}
+
+std::string intervals_table(const DiagnosisInput& input) {
+  const diagnosis::Location& location = input.diagnosis.location;
+  std::string text = fmt::format(
+      "### Mismatch intervals\n\nGreatest step statistic {}, threshold {} (family-wise level {}).\n\n",
+      decimals(location.greatest, 1), decimals(location.threshold, 1), number(input.options.locate.alpha, 2));
+  if (location.mismatches.empty()) return text + "None.\n\n";
+  text += table_head({"sounding", "from (m)", "to (m)", "recorded less simulated (%)",
+                      "recorded less simulated (kPa)", "statistic (-)", "p (-)"});
+  for (const diagnosis::Mismatch& m : location.mismatches)
+    text += table_line(
+        {m.sounding < 0 ? "all" : markdown(input.soundings[static_cast<std::size_t>(m.sounding)].name),
+         decimals(m.from, 3), decimals(m.to, 3), decimals(m.percent, 1), number(m.step / 1e3, 3),
+         decimals(m.statistic, 1), m.p < 0.001 ? "< 0.001" : decimals(m.p, 3)});
+  return text + "\n";
+}
+
+std::string fitted_parameters_table(const DiagnosisInput& input) {
+  if (input.mechanisms.empty()) return "";
+  std::string text = "### Effects of the catalogue and their fitted parameters\n\n" +
+                     table_head({"effect", "what to expect", "parameter", "range looked at",
+                                 "mean ± standard deviation", "90 % interval", "best"});
+  for (const std::size_t k : by_probability(input, input.mechanisms.size())) {
+    const MechanismFacts& facts = input.mechanisms[k];
+    const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[k];
+    for (std::size_t j = 0; j < facts.parameters.size(); ++j) {
+      const MechanismParameterFacts& p = facts.parameters[j];
+      const auto i = static_cast<Index>(j);
+      const auto value = [&](double phi) { return number(study_value(p, phi), 3); };
+      const std::string unit = markdown(unit_after(p.unit));
+      text += table_line({j == 0 ? markdown(facts.title) : "", j == 0 ? markdown(facts.signature) : "",
+                          fmt::format("{} ({})", markdown_symbol(p.symbol), markdown(p.name)),
+                          fmt::format("{} to {}{}", number(p.lower, 3), number(p.upper, 3), unit),
+                          markdown(with_deviation(study_value(p, fit.mean(i)),
+                                                  study_deviation(p, fit.deviation(i)), p.unit)),
+                          fmt::format("{} to {}{}", value(fit.lower(i)), value(fit.upper(i)), unit),
+                          value(fit.mode(i)) + unit});
+    }
+  }
+  return text + "\n";
+}
+
+std::string before_and_after_table(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  const auto error = [](double ln) { return percent(percent_of(ln)); };
+  std::string text = "### Before and after\n\n" + table_head({"curve", "RMSE of q<sub>c</sub>"});
+  text += table_line({"simulation, baseline", error(rmse(input.recorded, input.baseline))});
+  text += table_line({"study's parameters refitted", error(d.recalibrated.rmse)});
+  if (d.best) {
+    const std::string with = "with " + markdown(title_of(input, *d.best));
+    text += table_line({with + " (emulator)", error(d.with_best.rmse)});
+    if (const auto solver = solver_in_cells(input))
+      text += table_line({with + " (full solver)", error(rmse(input.recorded, *solver))});
+  }
+  if (d.held_out) {
+    const diagnosis::HeldOutGain& gain = *d.held_out;
+    text += "\nOn depths held out of the fit:\n\n" +
+            table_head({"", "study's parameters alone", "with the best effect"}) +
+            table_line({"RMSE of q<sub>c</sub>", error(gain.rmse_null), error(gain.rmse)}) +
+            table_line({"log score of all blocks (-)", "0 (reference)", decimals(gain.log_score, 2)}) +
+            table_line({"gain in log score per cell (-)", "0 (reference)",
+                        fmt::format("{} (90 % interval {} to {})", decimals(gain.per_cell, 3),
+                                    decimals(gain.lower, 3), decimals(gain.upper, 3))});
+  }
+  return text + "\n";
+}
+
+std::string checks_table(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  std::string text =
+      fmt::format("### Predictive checks\n\nA hypothesis whose p is below {} is not the answer.\n\n",
+                  number(input.options.gate, 1)) +
+      table_head(
+          {"hypothesis", "chi-square (-)", "its p (-)", "greatest step left (-)", "its p (-)", "p (-)"});
+  const auto line = [&](const std::string& name, const diagnosis::PredictiveCheck& c) {
+    text += table_line({markdown(name), decimals(c.chi_square, 1), decimals(c.chi_square_p, 3),
+                        decimals(c.scan, 1), decimals(c.scan_p, 3), decimals(c.p, 3)});
+  };
+  line(diagnosis::nothing_is_missing, d.null_check);
+  if (d.gate && d.winner < input.mechanisms.size()) line(title_of(input, d.winner), *d.gate);
+  return text + "\n";
+}
+
+std::string pairs_table(const DiagnosisInput& input) {
+  if (input.diagnosis.pairs.empty()) return "";
+  std::string text =
+      "### Pairs of the best effects\n\n" + table_head({"first", "second", "log evidence (-)"});
+  for (const diagnosis::PairEvidence& pair : input.diagnosis.pairs)
+    text += table_line({markdown(title_of(input, pair.first)), markdown(title_of(input, pair.second)),
+                        decimals(pair.log_evidence, 2)});
+  return text + "\n";
+}
+
+std::string next_measurements_table(const DiagnosisInput& input) {
+  if (input.diagnosis.next.empty()) return "";
+  std::string text =
+      fmt::format(
+          "### Next measurement\n\nLeast distance between any two effects of the set, together with "
+          "this recording; {} is wanted.\n\n",
+          number(input.options.indistinguishable, 2)) +
+      table_head({"measurement", "distance (standard deviations)"});
+  for (const diagnosis::NextMeasurement& next : input.diagnosis.next)
+    text += table_line({markdown(next.name), decimals(next.least_distance, 1)});
+  return text + "\n";
+}
+
+}  // namespace cpt::reports::diagnosed

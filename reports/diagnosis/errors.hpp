@@ -1,0 +1,24 @@
+// How far the curves lie from the recording, in the cells of the diagnosis.
+#pragma once
+
+#include <optional>
+
+#include "reports/diagnosis/input.hpp"
+
+namespace cpt::reports::diagnosed {
+
+/// Recorded over simulated q_c, less one, in each cell [%].
+[[nodiscard]] VectorXd percent_above(const VectorXd& recorded, const VectorXd& simulated);
+
+/// Root of the mean square difference [ln q_c] over the cells where both are finite; NaN without any.
+[[nodiscard]] double rmse(const VectorXd& a, const VectorXd& b);
+
+/// The solver's runs of the fitted mechanism on the cells [ln q_c], NaN where a sounding has none; nothing
+/// if no sounding has one.
+[[nodiscard]] std::optional<VectorXd> solver_in_cells(const DiagnosisInput& input);
+
+/// Standard deviation of the noise in each cell [ln q_c]: measurement and numerical, without the additive
+/// model's error.
+[[nodiscard]] VectorXd noise_deviation(const DiagnosisInput& input);
+
+}  // namespace cpt::reports::diagnosed

@@ -1,0 +1,109 @@
+// Tables of what the answer rests on.
+#include <fmt/format.h>
+
+#include "reports/diagnosis/tables.hpp"
+#include "reports/diagnosis/words.hpp"
+#include "reports/paper/markdown.hpp"
+#include "reports/text.hpp"
+
+namespace cpt::reports::diagnosed {
+namespace {
+
+using paper::table_head;
+using paper::table_line;
+
+std::string describe(const diagnosis::NoiseModel& noise) {
+  return fmt::format("standard deviation {}, correlation length {} mm, {}",
+                     percent(percent_of(noise.deviation)), number(1e3 * noise.length, 3),
+                     noise.kernel == diagnosis::Kernel::ar1 ? "AR(1)" : "Matérn-3/2");
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 120.0) return number(seconds, 3) + " s";
+  if (seconds < 7200.0) return number(seconds / 60.0, 3) + " min";
+  return number(seconds / 3600.0, 3) + " h";
+}
+
+}  // namespace
+
+std::string prior_widths_table(const DiagnosisInput& input) {
+  if (input.diagnosis.variations.empty()) return "";
+  std::string text =
+      "### Other prior widths\n\n" + table_head({"variation", "most probable, before the check", "changed"});
+  for (const diagnosis::PriorVariation& v : input.diagnosis.variations)
+    text += table_line({markdown(v.what), markdown(title_of(input, v.answer)), v.changed ? "**yes**" : "no"});
+  return text + "\n";
+}
+
+std::string study_parameters_table(const DiagnosisInput& input) {
+  if (input.parameters.empty()) return "";
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  const auto parameters = static_cast<Index>(input.parameters.size());
+  const bool with =
+      d.best && d.with_best.place.size() == parameters && d.with_best.deviation.size() == parameters;
+  std::string text =
+      "### Parameters of the study\n\nPlace between the bounds, 0 at the lower and 1 at the upper one, ± "
+      "standard deviation, and the value there.\n\n";
+  std::vector<std::string> head{"parameter", "bounds", "baseline", "refitted: place", "value"};
+  if (with) head.insert(head.end(), {"with the best effect: place", "value"});
+  text += table_head(head);
+  for (Index j = 0; j < parameters; ++j) {
+    const StudyParameter& p = input.parameters[static_cast<std::size_t>(j)];
+    const bool choice = p.choices.size() == 2;
+    const std::string unit = choice ? "" : markdown(unit_after(p.unit));
+    const auto value = [&](double place) {
+      return choice ? markdown(p.choices[place < 0.5 ? 0 : 1]) : number(study_value(p, place), 3) + unit;
+    };
+    std::vector<std::string> cells{
+        fmt::format("{} ({})", markdown_symbol(p.symbol), markdown(p.name)),
+        choice ? value(0.0) + " or " + value(1.0)
+               : fmt::format("{} to {}{}", number(p.lower, 3), number(p.upper, 3), unit),
+        value(baseline_place(p))};
+    const auto add = [&](const diagnosis::Recalibration& fit) {
+      cells.push_back(with_deviation(fit.place(j), fit.deviation(j), "-"));
+      cells.push_back(value(fit.place(j)));
+    };
+    add(d.recalibrated);
+    if (with) add(d.with_best);
+    text += table_line(cells);
+  }
+  return text + "\n";
+}
+
+std::string noise_table(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  std::string text = "### Noise\n\n" + table_head({"part", "value", "from"}) +
+                     table_line({"measurement", describe(d.measurement),
+                                 input.noise.measurement_given ? "given" : "the recording's high-pass part"});
+  if (d.numerical)
+    text +=
+        table_line({"numerical",
+                    fmt::format("{}; weight of this fit {}, share {}", describe(d.numerical->target),
+                                decimals(d.numerical->weight, 2), number(input.noise.numerical_shares, 2)),
+                    fmt::format("{} repeats of the baseline", input.noise.repeats)});
+  text +=
+      table_line({"error of adding the parameters' effects", input.noise.joint_runs > 0 ? "low rank" : "none",
+                  fmt::format("{} runs at joint parameters", input.noise.joint_runs)});
+  return text + "\n";
+}
+
+std::string provenance_table(const DiagnosisInput& input) {
+  const Provenance& p = input.provenance;
+  std::vector<std::string> seeds;
+  for (const std::uint64_t seed : p.seeds) seeds.push_back(fmt::format("{}", seed));
+  std::string text = "### Provenance\n\n" + table_head({"", ""}) +
+                     table_line({"program version", markdown(p.program_version)}) +
+                     table_line({"solver version", markdown(p.solver_version)}) +
+                     table_line({"seeds", listed(seeds)});
+  for (const SourceFile& file : p.files)
+    text +=
+        table_line({markdown(file.what),
+                    markdown(file.path) + (file.sha256.empty() ? "" : ", SHA-256 " + markdown(file.sha256))});
+  text += table_line({"solver runs", fmt::format("{}", p.solver_runs)}) +
+          table_line({"wall time", time_text(p.wall_s)}) +
+          table_line({"cells compared", fmt::format("{} of {} mm", input.diagnosis.cells.size(),
+                                                    number(1e3 * input.diagnosis.cells.front().height, 3))});
+  return text + "\n";
+}
+
+}  // namespace cpt::reports::diagnosed

@@ -1,0 +1,211 @@
+#include "reports/diagnosis/numbers.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "reports/diagnosis/answer.hpp"
+#include "reports/diagnosis/errors.hpp"
+
+namespace cpt::reports::diagnosed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json array(const VectorXd& v) { return std::vector<double>(v.data(), v.data() + v.size()); }
+
+Json rows(const MatrixXd& m) {
+  Json list = Json::array();
+  for (Index i = 0; i < m.rows(); ++i) list.push_back(array(m.row(i).transpose()));
+  return list;
+}
+
+template <class Items, class ToJson>
+Json list_of(const Items& items, const ToJson& to_json) {
+  Json list = Json::array();
+  for (const auto& item : items) list.push_back(to_json(item));
+  return list;
+}
+
+Json of(const Curve& curve) { return {{"depth_m", curve.depth}, {"q_c_Pa", curve.q_c}}; }
+
+Json of(const diagnosis::NoiseModel& n) {
+  return {{"kernel", n.kernel == diagnosis::Kernel::ar1 ? "ar1" : "matern_32"},
+          {"deviation_ln", n.deviation},
+          {"length_m", n.length}};
+}
+
+Json of(const diagnosis::PredictiveCheck& c) {
+  return {{"chi_square", c.chi_square},
+          {"chi_square_p", c.chi_square_p},
+          {"scan", c.scan},
+          {"scan_p", c.scan_p},
+          {"p", c.p}};
+}
+
+Json answer_part(const DiagnosisInput& input) {
+  const Answer answer = answer_of(input);
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  return {{"kind", name_of(answer.kind)},
+          {"name", d.hypotheses[d.answer].name},
+          {"winner_before_check", d.hypotheses[d.winner].name},
+          {"set", list_of(d.set, [&](std::size_t k) { return d.hypotheses[k].name; })},
+          {"headline", answer.headline},
+          {"paragraphs", answer.paragraphs}};
+}
+
+Json mechanism_part(const DiagnosisInput& input, std::size_t k) {
+  const MechanismFacts& facts = input.mechanisms[k];
+  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[k];
+  Json parameters = Json::array();
+  for (std::size_t j = 0; j < facts.parameters.size(); ++j) {
+    const MechanismParameterFacts& p = facts.parameters[j];
+    const auto i = static_cast<Index>(j);
+    parameters.push_back({{"name", p.name},
+                          {"unit", p.unit},
+                          {"range", {p.lower, p.upper}},
+                          {"mean", study_value(p, fit.mean(i))},
+                          {"deviation", study_deviation(p, fit.deviation(i))},
+                          {"best", study_value(p, fit.mode(i))},
+                          {"interval_90", {study_value(p, fit.lower(i)), study_value(p, fit.upper(i))}},
+                          {"phi_mean", fit.mean(i)},
+                          {"phi_deviation", fit.deviation(i)},
+                          {"phi_best", fit.mode(i)}});
+  }
+  return {{"name", facts.name},
+          {"title", facts.title},
+          {"signature", facts.signature},
+          {"log_evidence", fit.log_evidence},
+          {"parameters", std::move(parameters)}};
+}
+
+Json study_part(const DiagnosisInput& input, const diagnosis::Recalibration& fit) {
+  Json list = Json::array();
+  for (Index j = 0; j < std::min(fit.place.size(), fit.deviation.size()); ++j) {
+    const StudyParameter& p = input.parameters[static_cast<std::size_t>(j)];
+    list.push_back({{"name", p.name},
+                    {"unit", p.unit},
+                    {"bounds", {p.lower, p.upper}},
+                    {"baseline", p.baseline},
+                    {"place", fit.place(j)},
+                    {"place_deviation", fit.deviation(j)},
+                    {"value", study_value(p, fit.place(j))}});
+  }
+  return list;
+}
+
+Json cells_part(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  Json all{{"sounding", list_of(d.cells, [](const auto& c) { return c.sounding; })},
+           {"depth_m", list_of(d.cells, [](const auto& c) { return c.depth; })},
+           {"height_m", list_of(d.cells, [](const auto& c) { return c.height; })},
+           {"recorded_ln", array(input.recorded)},
+           {"baseline_ln", array(input.baseline)},
+           {"recalibrated_ln", array(d.recalibrated.curve)},
+           {"with_best_ln", array(d.with_best.curve)},
+           {"noise_deviation_ln", array(noise_deviation(input))}};
+  if (const auto solver = solver_in_cells(input)) all["solver_ln"] = array(*solver);
+  return all;
+}
+
+Json errors_part(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  Json all{{"baseline_ln", rmse(input.recorded, input.baseline)}, {"recalibrated_ln", d.recalibrated.rmse}};
+  if (d.best) all["with_best_ln"] = d.with_best.rmse;
+  if (const auto solver = solver_in_cells(input)) all["solver_ln"] = rmse(input.recorded, *solver);
+  return all;
+}
+
+Json held_out_part(const diagnosis::HeldOutGain& gain) {
+  return {{"rmse_null_ln", gain.rmse_null},
+          {"rmse_ln", gain.rmse},
+          {"log_score_gain", gain.log_score},
+          {"gain_per_cell", gain.per_cell},
+          {"interval_90", {gain.lower, gain.upper}}};
+}
+
+Json mismatch(const diagnosis::Mismatch& m) {
+  return {{"sounding", m.sounding},
+          {"from_m", m.from},
+          {"to_m", m.to},
+          {"size_ln", m.size},
+          {"percent", m.percent},
+          {"step_Pa", m.step},
+          {"statistic", m.statistic},
+          {"p", m.p}};
+}
+
+Json provenance_part(const Provenance& p) {
+  return {{"program_version", p.program_version},
+          {"solver_version", p.solver_version},
+          {"seeds", p.seeds},
+          {"files", list_of(p.files,
+                            [](const SourceFile& f) {
+                              return Json{{"what", f.what}, {"path", f.path}, {"sha256", f.sha256}};
+                            })},
+          {"solver_runs", p.solver_runs},
+          {"wall_s", p.wall_s}};
+}
+
+}  // namespace
+
+std::string diagnosis_json(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  Json all;
+  all["title"] = input.title;
+  all["answer"] = answer_part(input);
+  all["hypotheses"] = list_of(d.hypotheses, [](const diagnosis::Hypothesis& h) {
+    return Json{{"name", h.name},
+                {"prior", h.prior},
+                {"log_evidence", h.log_evidence},
+                {"probability", h.probability}};
+  });
+  all["location"] = {{"threshold", d.location.threshold},
+                     {"greatest", d.location.greatest},
+                     {"p", d.location.p},
+                     {"mismatches", list_of(d.location.mismatches, mismatch)}};
+  all["mechanisms"] = Json::array();
+  for (std::size_t k = 0; k < input.mechanisms.size(); ++k)
+    all["mechanisms"].push_back(mechanism_part(input, k));
+  all["best"] = d.best ? Json(d.hypotheses[*d.best].name) : Json();
+  all["rmse"] = errors_part(input);
+  all["held_out"] = d.held_out ? held_out_part(*d.held_out) : Json();
+  all["null_check"] = of(d.null_check);
+  all["gate"] = d.gate ? of(*d.gate) : Json();
+  all["isolability"] = rows(d.isolability);
+  all["pairs"] = list_of(d.pairs, [](const diagnosis::PairEvidence& p) {
+    return Json{{"first", p.first},
+                {"second", p.second},
+                {"log_evidence", p.log_evidence},
+                {"first_phi_best", array(p.first_mode)},
+                {"second_phi_best", array(p.second_mode)}};
+  });
+  all["next_measurements"] = list_of(d.next, [](const diagnosis::NextMeasurement& n) {
+    return Json{{"name", n.name}, {"least_distance", n.least_distance}};
+  });
+  all["prior_widths"] = list_of(d.variations, [](const diagnosis::PriorVariation& v) {
+    return Json{{"what", v.what}, {"answer", v.answer}, {"changed", v.changed}};
+  });
+  all["study_parameters"] = study_part(input, d.recalibrated);
+  all["study_parameters_with_best"] = study_part(input, d.with_best);
+  all["noise"] = {{"measurement", of(d.measurement)},
+                  {"measurement_given", input.noise.measurement_given},
+                  {"numerical", d.numerical ? of(d.numerical->target) : Json()},
+                  {"numerical_weight", d.numerical ? Json(d.numerical->weight) : Json()},
+                  {"numerical_shares", input.noise.numerical_shares},
+                  {"repeats", input.noise.repeats},
+                  {"joint_runs", input.noise.joint_runs}};
+  all["options"] = {
+      {"alpha", input.options.locate.alpha}, {"alarm", input.options.alarm},
+      {"gate", input.options.gate},          {"indistinguishable", input.options.indistinguishable},
+      {"credible", input.options.credible},  {"seed", input.options.seed}};
+  all["cells"] = cells_part(input);
+  all["soundings"] = list_of(input.soundings, [](const Sounding& s) {
+    return Json{{"name", s.name},
+                {"recorded", of(s.recorded)},
+                {"baseline", of(s.baseline)},
+                {"solver", s.solver ? of(*s.solver) : Json()}};
+  });
+  all["provenance"] = provenance_part(input.provenance);
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace cpt::reports::diagnosed

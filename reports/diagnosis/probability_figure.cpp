@@ -1,0 +1,52 @@
+#include <algorithm>
+
+#include "reports/axis.hpp"
+#include "reports/depth_plot.hpp"
+#include "reports/diagnosis/figures.hpp"
+#include "reports/diagnosis/words.hpp"
+#include "reports/labels.hpp"
+#include "reports/palette.hpp"
+
+namespace cpt::reports::diagnosed {
+namespace {
+
+constexpr double row_height = 17.0, bar_height = 10.0, label_room = 210.0, plot_width = 250.0, top = 46.0;
+constexpr double value_room = 66.0, label_size = 8.0;
+
+}  // namespace
+
+std::string probability_figure(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  const auto rows = static_cast<double>(d.hypotheses.size());
+  const Box plot{label_room, top, plot_width, rows * row_height};
+  Svg svg(label_room + plot_width + value_room, plot.bottom() + 60.0, "probability");
+  const Axis across{0.0, 1.0, plot.x, plot.right()};
+  draw_horizontal(svg, plot, across, Edge::bottom, plain("probability (-)"), 5);
+  double y = top;
+  for (const std::size_t k : by_probability(input, d.hypotheses.size())) {
+    const diagnosis::Hypothesis& h = d.hypotheses[k];
+    const bool answer = k == d.answer;
+    const bool mechanism = k < input.mechanisms.size();
+    const double middle = y + 0.5 * row_height;
+    svg.text({plot.x - 6.0, middle + 0.36 * label_size},
+             plain(shortened(title_of(input, k), label_room - 14.0, label_size, answer)),
+             {.size = label_size, .anchor = Anchor::end, .bold = answer});
+    svg.rectangle({plot.x, middle - 0.5 * bar_height, across(h.probability) - plot.x, bar_height},
+                  mechanism ? palette::vermillion : palette::blue, answer ? 1.0 : 0.55);
+    svg.line({across(h.prior), middle - 0.5 * row_height + 1.5},
+             {across(h.prior), middle + 0.5 * row_height - 1.5}, {palette::ink, 1.3, {}});
+    svg.text({plot.right() + 6.0, middle + 0.36 * label_size}, plain(probability(h.probability)),
+             {.size = label_size, .bold = answer});
+    y += row_height;
+  }
+  svg.frame(plot, {palette::ink, 0.6, {}});
+  draw_heading(svg, "Probability of each explanation", plain("bold: the answer, after the predictive check"));
+  const double bottom = plot.bottom() + 48.0;
+  Legend(svg, 12.0, bottom, 150.0).patch(plain("effect of the catalogue"), palette::vermillion);
+  Legend(svg, 170.0, bottom, 180.0).patch(plain("nothing, or something else"), palette::blue);
+  svg.line({364.0, bottom - 6.0}, {364.0, bottom + 6.0}, {palette::ink, 1.3, {}});
+  svg.text({372.0, bottom + 2.7}, plain("before the recording (prior)"), {.size = 7.5});
+  return svg.document("Probabilities of " + input.title);
+}
+
+}  // namespace cpt::reports::diagnosed

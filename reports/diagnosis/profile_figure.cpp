@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <cmath>
+
+#include "reports/depth_plot.hpp"
+#include "reports/diagnosis/figures.hpp"
+#include "reports/diagnosis/sounding_panels.hpp"
+#include "reports/labels.hpp"
+#include "reports/palette.hpp"
+
+namespace cpt::reports::diagnosed {
+namespace {
+
+constexpr double kPa = 1.0e3;
+const Pen recorded_pen{palette::ink, 1.1, {}};
+const Pen baseline_pen{palette::muted, 0.8, "2 2"};
+const Pen null_pen{palette::blue, 1.0, {}};
+const Pen mechanism_pen{palette::vermillion, 1.2, {}};
+const Pen solver_pen{palette::green, 1.2, "5 2"};
+
+// Cells set the scale: a spike of a single reading may leave the frame.
+double greatest(const DiagnosisInput& input) {
+  double most = 0.0;
+  const auto take = [&](const VectorXd& curve) {
+    for (Index i = 0; i < curve.size(); ++i)
+      if (std::isfinite(curve(i))) most = std::max(most, std::exp(curve(i)) / kPa);
+  };
+  take(input.recorded);
+  take(input.baseline);
+  take(input.diagnosis.recalibrated.curve);
+  if (input.diagnosis.best) take(input.diagnosis.with_best.curve);
+  return most > 0.0 ? 1.08 * most : 1.0;
+}
+
+void draw_curve(Svg& svg, const Curve& curve, const Axis& across, const Axis& depth, const Pen& pen) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < curve.depth.size(); ++i)
+    points.push_back({across(curve.q_c[i] / kPa), depth(curve.depth[i])});
+  svg.polyline(points, pen);
+}
+
+VectorXd in_kPa(const VectorXd& ln) {
+  return ln.unaryExpr([](double x) { return std::exp(x) / kPa; });
+}
+
+void draw_legend(Svg& svg, const DiagnosisInput& input, const SoundingPanels& panels) {
+  const double half = 0.5 * (panels.width() - 20.0);
+  Legend curves(svg, 12.0, panels.legend_top(), half - 6.0);
+  curves.line(plain("recording"), recorded_pen);
+  curves.line(plain("simulation, baseline"), baseline_pen);
+  curves.line(plain("study's parameters refitted"), null_pen);
+  Legend others(svg, 12.0 + half, panels.legend_top(), half - 6.0);
+  if (input.diagnosis.best) {
+    others.line(plain("with the best effect (emulator)"), mechanism_pen);
+    if (std::ranges::any_of(input.soundings, [](const Sounding& s) { return s.solver.has_value(); }))
+      others.line(plain("with the best effect (full solver)"), solver_pen);
+  }
+  const auto& mismatches = input.diagnosis.location.mismatches;
+  if (std::ranges::any_of(mismatches, [](const auto& m) { return m.size >= 0.0; }))
+    others.patch(plain("mismatch, recording above"), above_fill);
+  if (std::ranges::any_of(mismatches, [](const auto& m) { return m.size < 0.0; }))
+    others.patch(plain("mismatch, recording below"), below_fill);
+}
+
+}  // namespace
+
+std::string profile_figure(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  const SoundingPanels panels(input, 190.0, 380.0, 56.0);
+  Svg svg(panels.width(), panels.height(), "profile");
+  const double most = greatest(input);
+  const VectorXd null = in_kPa(d.recalibrated.curve);
+  const VectorXd with = d.best ? in_kPa(d.with_best.curve) : VectorXd();
+  for (std::size_t s = 0; s < input.soundings.size(); ++s) {
+    const Box box = panels.box(s);
+    const Axis across{0.0, most, box.x, box.right()}, depth = panels.depth(s);
+    panels.draw_ground(svg, s, across, symbolic("q_c (kPa)"));
+    svg.begin_clip(box);
+    draw_curve(svg, input.soundings[s].baseline, across, depth, baseline_pen);
+    draw_curve(svg, input.soundings[s].recorded, across, depth, recorded_pen);
+    svg.polyline(cell_line(input, s, null, across, depth), null_pen);
+    if (d.best) svg.polyline(cell_line(input, s, with, across, depth), mechanism_pen);
+    if (input.soundings[s].solver) draw_curve(svg, *input.soundings[s].solver, across, depth, solver_pen);
+    svg.end_clip();
+    svg.frame(box, {palette::ink, 0.6, {}});
+  }
+  draw_heading(svg, shortened("Cone resistance: recorded and simulated", panels.width() - 16.0, 10.0, true),
+               d.best
+                   ? plain(shortened("best effect: " + title_of(input, *d.best), panels.width() - 16.0, 8.0))
+                   : plain("no effect was tried"));
+  draw_legend(svg, input, panels);
+  return svg.document("Cone resistance of " + input.title);
+}
+
+}  // namespace cpt::reports::diagnosed

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <cmath>
+
+#include "reports/depth_plot.hpp"
+#include "reports/diagnosis/errors.hpp"
+#include "reports/diagnosis/figures.hpp"
+#include "reports/diagnosis/sounding_panels.hpp"
+#include "reports/diagnosis/words.hpp"
+#include "reports/labels.hpp"
+#include "reports/palette.hpp"
+
+namespace cpt::reports::diagnosed {
+namespace {
+
+constexpr std::string_view noise_fill = "#e4e4e4";
+const Pen before_pen{palette::blue, 1.0, {}};
+const Pen after_pen{palette::vermillion, 1.2, {}};
+const Pen solver_pen{palette::green, 1.0, "5 2"};
+
+struct Residuals {
+  VectorXd before, after, solver;  // [%]; empty where there is none
+  VectorXd noise;                  // [ln q_c]
+};
+
+Residuals residuals_of(const DiagnosisInput& input) {
+  Residuals r{percent_above(input.recorded, input.diagnosis.recalibrated.curve), {}, {}, {}};
+  if (input.diagnosis.best) r.after = percent_above(input.recorded, input.diagnosis.with_best.curve);
+  if (const auto solver = solver_in_cells(input)) r.solver = percent_above(input.recorded, *solver);
+  r.noise = noise_deviation(input);
+  return r;
+}
+
+Range extent(const Residuals& r) {
+  double low = -5.0, high = 5.0;  // [%] a good fit must not look rough
+  for (const VectorXd* v : {&r.before, &r.after, &r.solver})
+    for (Index i = 0; i < v->size(); ++i)
+      if (std::isfinite((*v)(i))) {
+        low = std::min(low, (*v)(i));
+        high = std::max(high, (*v)(i));
+      }
+  return widened(low, high, 0.06);
+}
+
+// Two standard deviations of the noise to either side of zero, cell by cell.
+void draw_noise(Svg& svg, const DiagnosisInput& input, std::size_t sounding, const VectorXd& noise,
+                const Axis& across, const Axis& depth) {
+  for (std::size_t i = 0; i < input.diagnosis.cells.size(); ++i) {
+    const diagnosis::Cell& cell = input.diagnosis.cells[i];
+    if (cell.sounding != static_cast<int>(sounding)) continue;
+    const double two = 2.0 * noise(static_cast<Index>(i));
+    const double x = across(percent_of(-two)), y = depth(cell.depth - 0.5 * cell.height);
+    // A hair taller than the cell, so that no seams show.
+    svg.rectangle({x, y, across(percent_of(two)) - x, depth(cell.depth + 0.5 * cell.height) - y + 0.15},
+                  noise_fill);
+  }
+}
+
+}  // namespace
+
+std::string residual_figure(const DiagnosisInput& input) {
+  const SoundingPanels panels(input, 190.0, 320.0, 44.0);
+  Svg svg(panels.width(), panels.height(), "residual");
+  const Residuals r = residuals_of(input);
+  const Range range = extent(r);
+  for (std::size_t s = 0; s < input.soundings.size(); ++s) {
+    const Box box = panels.box(s);
+    const Axis across{range.low, range.high, box.x, box.right()}, depth = panels.depth(s);
+    panels.draw_ground(svg, s, across, plain("recorded less simulated (%)"));
+    svg.begin_clip(box);
+    draw_noise(svg, input, s, r.noise, across, depth);
+    svg.line({across(0.0), box.y}, {across(0.0), box.bottom()}, {palette::ink, 0.6, {}});
+    svg.polyline(cell_line(input, s, r.before, across, depth), before_pen);
+    if (r.after.size() > 0) svg.polyline(cell_line(input, s, r.after, across, depth), after_pen);
+    if (r.solver.size() > 0) svg.polyline(cell_line(input, s, r.solver, across, depth), solver_pen);
+    svg.end_clip();
+    svg.frame(box, {palette::ink, 0.6, {}});
+  }
+  draw_heading(svg, "What is left of the difference",
+               symbolic("q_c, recorded less simulated, of simulated; before and after the best effect"));
+  const double half = 0.5 * (panels.width() - 20.0);
+  Legend left(svg, 12.0, panels.legend_top(), half - 6.0);
+  left.line(plain("before: parameters refitted"), before_pen);
+  if (r.after.size() > 0) left.line(plain("after: with the best effect"), after_pen);
+  Legend right(svg, 12.0 + half, panels.legend_top(), half - 6.0);
+  right.patch(plain("± 2 standard deviations of noise"), noise_fill);
+  if (r.solver.size() > 0) right.line(plain("after, in the full solver"), solver_pen);
+  return svg.document("Residuals of " + input.title);
+}
+
+}  // namespace cpt::reports::diagnosed

@@ -1,0 +1,88 @@
+#include "reports/diagnosis/sounding_panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/labels.hpp"
+#include "reports/palette.hpp"
+
+namespace cpt::reports::diagnosed {
+namespace {
+
+constexpr double top = 82.0, left = 48.0, right = 12.0, gap_across = 40.0, gap_down = 56.0;
+constexpr double least_width = 360.0;
+constexpr std::size_t most_across = 4;
+
+}  // namespace
+
+SoundingPanels::SoundingPanels(const DiagnosisInput& input, double panel_width, double panel_height,
+                               double legend_height)
+    : input_(input), panel_width_(panel_width), panel_height_(panel_height) {
+  const std::size_t count = input.soundings.size();
+  const auto across = static_cast<double>(std::min(count, most_across));
+  const auto down = static_cast<double>((count + most_across - 1) / most_across);
+  const double beside = left + (across - 1.0) * gap_across + right;
+  width_ = std::max(least_width, beside + across * panel_width);
+  panel_width_ = (width_ - beside) / across;
+  legend_top_ = top + down * panel_height + (down - 1.0) * gap_down + 16.0;
+  height_ = legend_top_ + legend_height;
+
+  range_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  const auto take = [&](double depth) {
+    if (!std::isfinite(depth)) return;
+    range_ = {std::min(range_.low, depth), std::max(range_.high, depth)};
+  };
+  for (const diagnosis::Cell& cell : input.diagnosis.cells)
+    for (const double side : {-0.5, 0.5}) take(cell.depth + side * cell.height);
+  for (const Sounding& sounding : input.soundings)
+    for (const double depth : sounding.baseline.depth) take(depth);
+  // From the surface, unless all lies far below it.
+  if (range_.low > 0.0 && range_.low < 0.3 * range_.high) range_.low = 0.0;
+}
+
+Box SoundingPanels::box(std::size_t sounding) const {
+  const auto column = static_cast<double>(sounding % most_across);
+  const auto row = static_cast<double>(sounding / most_across);
+  return {left + column * (panel_width_ + gap_across), top + row * (panel_height_ + gap_down), panel_width_,
+          panel_height_};
+}
+
+Axis SoundingPanels::depth(std::size_t sounding) const {
+  const Box b = box(sounding);
+  return {range_.low, range_.high, b.y, b.bottom()};
+}
+
+void SoundingPanels::draw_ground(Svg& svg, std::size_t sounding, const Axis& across,
+                                 const Rich& title) const {
+  const Box b = box(sounding);
+  const Axis down = depth(sounding);
+  svg.begin_clip(b);
+  for (const diagnosis::Mismatch& m : input_.diagnosis.location.mismatches)
+    if (m.sounding < 0 || m.sounding == static_cast<int>(sounding))
+      svg.rectangle({b.x, down(m.from), b.width, down(m.to) - down(m.from)},
+                    m.size < 0.0 ? below_fill : above_fill);
+  svg.end_clip();
+  draw_horizontal(svg, b, across, Edge::top, title, 4);
+  draw_vertical(svg, b, down, sounding % most_across == 0 ? plain("depth (m)") : Rich{}, 8);
+  svg.text({b.x + 0.5 * b.width, b.y - 34.0},
+           plain(shortened(input_.soundings[sounding].name, b.width, 8.5, true)),
+           {.size = 8.5, .anchor = Anchor::middle, .bold = true});
+}
+
+std::vector<Point> cell_line(const DiagnosisInput& input, std::size_t sounding, const VectorXd& values,
+                             const Axis& across, const Axis& depth) {
+  std::vector<Point> points;
+  const diagnosis::Cell* last = nullptr;
+  for (std::size_t i = 0; i < input.diagnosis.cells.size(); ++i) {
+    const diagnosis::Cell& cell = input.diagnosis.cells[i];
+    if (cell.sounding != static_cast<int>(sounding)) continue;
+    if (last != nullptr && cell.depth - last->depth > 1.5 * cell.height)
+      points.push_back({std::nan(""), std::nan("")});
+    points.push_back({across(values(static_cast<Index>(i))), depth(cell.depth)});
+    last = &cell;
+  }
+  return points;
+}
+
+}  // namespace cpt::reports::diagnosed

@@ -1,0 +1,40 @@
+// Panels over depth, one a sounding: their places, the shaded intervals and curves of cells.
+#pragma once
+
+#include "reports/axis.hpp"
+#include "reports/diagnosis/input.hpp"
+#include "reports/svg.hpp"
+
+namespace cpt::reports::diagnosed {
+
+/// Where the panels lie; up to four in a row.
+class SoundingPanels {
+ public:
+  /// `legend_height` is kept free below the panels [pt].
+  SoundingPanels(const DiagnosisInput& input, double panel_width, double panel_height, double legend_height);
+
+  [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] double height() const { return height_; }
+  [[nodiscard]] double legend_top() const { return legend_top_; }
+  [[nodiscard]] Box box(std::size_t sounding) const;
+  /// Depth axis of a panel: all cells and baselines.
+  [[nodiscard]] Axis depth(std::size_t sounding) const;
+
+  /// Shaded intervals, axes with their grids, and the sounding's name; `across` is the horizontal axis.
+  void draw_ground(Svg& svg, std::size_t sounding, const Axis& across, const Rich& title) const;
+
+ private:
+  const DiagnosisInput& input_;
+  double panel_width_, panel_height_, width_ = 0.0, height_ = 0.0, legend_top_ = 0.0;
+  Range range_{};  // [m]
+};
+
+/// A value in each cell of a sounding, as a line through the cells' middles, broken where cells lack.
+[[nodiscard]] std::vector<Point> cell_line(const DiagnosisInput& input, std::size_t sounding,
+                                           const VectorXd& values, const Axis& across, const Axis& depth);
+
+/// Entries of a legend for the shaded intervals: a fill where the recording is above, one where below.
+inline constexpr std::string_view above_fill = "#fbe3c0";
+inline constexpr std::string_view below_fill = "#d3e9f8";
+
+}  // namespace cpt::reports::diagnosed

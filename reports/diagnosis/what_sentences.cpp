@@ -1,0 +1,136 @@
+// What is missing, how well it is proved, and what the answer depends on.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/diagnosis/errors.hpp"
+#include "reports/diagnosis/sentences.hpp"
+#include "reports/diagnosis/words.hpp"
+#include "reports/text.hpp"
+
+namespace cpt::reports::diagnosed {
+namespace {
+
+constexpr double vague = 0.22;  // standard deviation of phi; that of the prior is 0.29
+
+}  // namespace
+
+std::string fitted_parameters(const DiagnosisInput& input, std::size_t mechanism) {
+  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[mechanism];
+  std::vector<std::string> parts;
+  const auto& parameters = input.mechanisms[mechanism].parameters;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    parts.push_back(
+        fmt::format("{} = {}{}", parameters[k].symbol,
+                    with_deviation(study_value(parameters[k], fit.mean(i)),
+                                   study_deviation(parameters[k], fit.deviation(i)), parameters[k].unit),
+                    parameters[k].meaning.empty() ? "" : " (" + parameters[k].meaning + ")"));
+  }
+  return listed(parts);
+}
+
+std::string weak_parameters(const DiagnosisInput& input, std::size_t mechanism) {
+  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[mechanism];
+  std::vector<std::string> untold, ends;
+  const auto& parameters = input.mechanisms[mechanism].parameters;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    if (fit.deviation(i) > vague)
+      untold.push_back(parameters[k].symbol);
+    else if (fit.mode(i) < 0.02 || fit.mode(i) > 0.98)
+      ends.push_back(parameters[k].symbol);
+  }
+  std::string text;
+  if (!untold.empty()) text = fmt::format("The recording says little about {}.", listed(untold));
+  if (!ends.empty())
+    text += fmt::format("{}The best value of {} lies at the end of the range looked at.",
+                        text.empty() ? "" : " ", listed(ends));
+  return text;
+}
+
+std::string check_passed(const DiagnosisInput& input, const diagnosis::PredictiveCheck& check) {
+  const bool passed = check.p >= input.options.gate;
+  return fmt::format("Curves drawn from it {} this one (predictive check, {}, limit {}).",
+                     passed ? "look like" : "do not look like", p_value(check.p),
+                     number(input.options.gate, 1));
+}
+
+std::string held_out(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  if (!d.best || !d.held_out) return "";
+  const diagnosis::HeldOutGain& gain = *d.held_out;
+  const std::string before = percent(percent_of(gain.rmse_null)), after = percent(percent_of(gain.rmse));
+  const std::string change =
+      before == after
+          ? fmt::format("stays at {}", after)
+          : fmt::format("{} from {} to {}", gain.rmse < gain.rmse_null ? "falls" : "rises", before, after);
+  const char* meaning = gain.lower > 0.0   ? ""
+                        : gain.upper < 0.0 ? "; the effect predicts worse than nothing"
+                                           : "; the interval holds zero, so this is no proof";
+  return fmt::format(
+      "With {}, the error on depths held out of the fit {} (gain in log score {} per cell, 90 % interval {} "
+      "to {}{}).",
+      title_of(input, *d.best), change, number(gain.per_cell, 2), number(gain.lower, 2),
+      number(gain.upper, 2), meaning);
+}
+
+std::string solver_confirms(const DiagnosisInput& input) {
+  const auto solver = solver_in_cells(input);
+  if (!solver || !input.diagnosis.best) return "";
+  VectorXd emulated = input.diagnosis.with_best.curve;
+  for (Index i = 0; i < emulated.size(); ++i)
+    if (!std::isfinite((*solver)(i))) emulated(i) = (*solver)(i);  // the same cells for both
+  return fmt::format(
+      "Run in the full solver, the fitted effect leaves an error of {}; the emulator had said {}.",
+      percent(percent_of(rmse(input.recorded, *solver))),
+      percent(percent_of(rmse(input.recorded, emulated))));
+}
+
+std::string best_pair(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  if (d.pairs.empty() || !d.best) return "";
+  const diagnosis::PairEvidence& pair = d.pairs.front();
+  const double gain = pair.log_evidence - d.hypotheses[*d.best].log_evidence;
+  const std::string both =
+      fmt::format("{} together with {}", title_of(input, pair.first), title_of(input, pair.second));
+  if (gain <= 0.0)
+    return fmt::format("No pair of effects does better than one alone; the best pair is {}.", both);
+  return fmt::format(
+      "The best pair to look into is {} (log evidence {} above the best effect alone); that is a hint, not "
+      "an "
+      "answer.",
+      both, number(gain, 2));
+}
+
+std::string next_measurement(const DiagnosisInput& input) {
+  if (input.diagnosis.next.empty()) return "";
+  const diagnosis::NextMeasurement& next = input.diagnosis.next.front();
+  const double limit = input.options.indistinguishable;
+  if (next.least_distance < limit)
+    return fmt::format(
+        "Of the candidate measurements none would tell them apart; {} comes nearest ({} standard deviations, "
+        "{} wanted).",
+        next.name, number(next.least_distance, 2), number(limit, 2));
+  return fmt::format(
+      "The next measurement that would tell them apart best: {} (at least {} standard deviations between any "
+      "two, {} wanted).",
+      next.name, number(next.least_distance, 2), number(limit, 2));
+}
+
+std::string prior_widths(const DiagnosisInput& input) {
+  const auto& variations = input.diagnosis.variations;
+  if (variations.empty()) return "";
+  std::string text;
+  for (const diagnosis::PriorVariation& v : variations)
+    if (v.changed)
+      text += fmt::format("{}with {} the most probable answer would be “{}”", text.empty() ? "" : "; ",
+                          v.what, title_of(input, v.answer));
+  if (text.empty())
+    return "The answer stays the same with the ranges of the study's parameters, and of the effects' "
+           "strengths, halved and doubled.";
+  return "The answer depends on the prior ranges: " + text + ".";
+}
+
+}  // namespace cpt::reports::diagnosed

@@ -1,0 +1,95 @@
+// Where recording and simulation part, and what the study's own parameters did about it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/diagnosis/errors.hpp"
+#include "reports/diagnosis/sentences.hpp"
+#include "reports/diagnosis/words.hpp"
+#include "reports/text.hpp"
+
+namespace cpt::reports::diagnosed {
+namespace {
+
+constexpr std::size_t most_told = 3;  // of intervals, and of parameters
+
+std::string place_of(const DiagnosisInput& input, const diagnosis::Mismatch& m) {
+  const std::string between = fmt::format("between {} and {} m", metres(m.from), metres(m.to));
+  if (input.soundings.size() == 1) return capitalized(between);
+  if (m.sounding < 0) return "In all soundings, " + between;
+  return fmt::format("In {}, {}", input.soundings[static_cast<std::size_t>(m.sounding)].name, between);
+}
+
+std::string value_of(const StudyParameter& parameter, double place) {
+  if (parameter.choices.size() == 2) return parameter.choices[place < 0.5 ? 0 : 1];
+  return number(study_value(parameter, place), 3);
+}
+
+std::string move_of(const DiagnosisInput& input, std::size_t j) {
+  const StudyParameter& p = input.parameters[j];
+  const double place = input.diagnosis.recalibrated.place(static_cast<Index>(j));
+  const bool at_bound = p.choices.empty() && (place < 0.005 || place > 0.995);
+  return fmt::format("{} from {} to {}{}{}", p.symbol, value_of(p, baseline_place(p)), value_of(p, place),
+                     p.choices.empty() ? unit_after(p.unit) : "", at_bound ? ", its bound" : "");
+}
+
+}  // namespace
+
+std::string where_it_differs(const DiagnosisInput& input) {
+  const diagnosis::Location& location = input.diagnosis.location;
+  if (location.mismatches.empty())
+    return fmt::format(
+        "At no depth does the recording depart from the simulation by more than the study's parameters and "
+        "the noise allow (greatest step statistic {}, threshold {}, {}).",
+        number(location.greatest, 3), number(location.threshold, 3), p_value(location.p));
+  std::string text;
+  for (std::size_t i = 0; i < std::min(location.mismatches.size(), most_told); ++i) {
+    const diagnosis::Mismatch& m = location.mismatches[i];
+    text += fmt::format("{}{} the recording is {} ({} kPa) {} the simulation, {}{}.", i > 0 ? " " : "",
+                        place_of(input, m), percent(std::abs(m.percent)), number(std::abs(m.step) / 1e3, 3),
+                        m.size < 0.0 ? "below" : "above", p_value(m.p),
+                        i == 0 ? ", after allowing for the study's parameters" : "");
+  }
+  if (const std::size_t n = location.mismatches.size(); n > most_told)
+    text += fmt::format(" {} more interval{} the table below.", n - most_told,
+                        n - most_told == 1 ? " is in" : "s are in");
+  return text;
+}
+
+std::string parameters_moved(const DiagnosisInput& input) {
+  const VectorXd& place = input.diagnosis.recalibrated.place;
+  const auto moved = [&](std::size_t j) {
+    return std::abs(place(static_cast<Index>(j)) - baseline_place(input.parameters[j]));
+  };
+  std::vector<std::size_t> order;
+  for (std::size_t j = 0; j < input.parameters.size(); ++j)
+    if (moved(j) > 0.1) order.push_back(j);  // of the range between the bounds
+  if (order.empty())
+    return input.parameters.empty()
+               ? ""
+               : "No study parameter moved by more than a tenth of the range between its bounds.";
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return moved(a) > moved(b); });
+  std::vector<std::string> moves;
+  for (const std::size_t j : order)
+    if (moves.size() < most_told) moves.push_back(move_of(input, j));
+  std::string separated;  // the moves may hold commas themselves
+  for (std::size_t i = 0; i < moves.size(); ++i) separated += (i > 0 ? "; " : "") + moves[i];
+  return fmt::format("Within their bounds, these study parameters moved most: {}.", separated);
+}
+
+std::string recalibration_error(const DiagnosisInput& input) {
+  const double before = percent_of(rmse(input.recorded, input.baseline));
+  const double after = percent_of(input.diagnosis.recalibrated.rmse);
+  if (percent(before) == percent(after))
+    return fmt::format(
+        "Fitting the study's parameters leaves the root-mean-square error of the simulated cone resistance "
+        "at {}.",
+        percent(after));
+  return fmt::format(
+      "Fitting the study's parameters takes the root-mean-square error of the simulated cone resistance from "
+      "{} to {}.",
+      percent(before), percent(after));
+}
+
+}  // namespace cpt::reports::diagnosed

@@ -1,0 +1,199 @@
+#include "tests/reports/diagnosis/made_up_diagnosis.hpp"
+
+#include <cmath>
+
+#include "diagnosis/quadrature.hpp"
+
+namespace cpt::reports::diagnosed {
+namespace {
+
+constexpr int cells_each = 40;
+constexpr double height = 0.0075;  // [m]
+
+double q_c(double depth) { return 2.2e6 * (1.0 - 0.75 * std::exp(-depth / 0.05)); }
+double compaction(double depth) { return std::log(1.0 + 0.5 * std::exp(-depth / 0.06)); }
+double ripple(double depth) { return 0.015 * std::sin(310.0 * depth) + 0.01 * std::cos(97.0 * depth); }
+
+Curve curve(const auto& ln_factor, int points) {
+  Curve c;
+  for (int i = 0; i < points; ++i) {
+    const double depth = (i + 0.5) * cells_each * height / points;
+    c.depth.push_back(depth);
+    c.q_c.push_back(q_c(depth) * std::exp(ln_factor(depth)));
+  }
+  return c;
+}
+
+VectorXd vector(std::initializer_list<double> values) {
+  VectorXd v(static_cast<Index>(values.size()));
+  Index i = 0;
+  for (const double value : values) v(i++) = value;
+  return v;
+}
+
+// A normal posterior on the nodes of a tensor grid.
+diagnosis::MechanismEvidence evidence(const std::string& name, double log_evidence, const VectorXd& mean,
+                                      const VectorXd& deviation) {
+  diagnosis::MechanismEvidence e;
+  e.name = name;
+  e.log_evidence = log_evidence;
+  e.mean = e.mode = mean;
+  e.deviation = deviation;
+  e.lower = (mean - 1.645 * deviation).cwiseMax(0.0);
+  e.upper = (mean + 1.645 * deviation).cwiseMin(1.0);
+  const VectorXd low = (mean - 4.0 * deviation).cwiseMax(0.0);
+  const VectorXd high = (mean + 4.0 * deviation).cwiseMin(1.0);
+  const auto rule = diagnosis::box_rule(low, high, mean.size() == 3 ? 15 : 33);
+  e.nodes = rule.nodes;
+  e.probability = rule.weights;
+  for (Index i = 0; i < e.nodes.rows(); ++i) {
+    const VectorXd away = (e.nodes.row(i).transpose() - mean).cwiseQuotient(deviation);
+    e.probability(i) *= std::exp(-0.5 * away.squaredNorm());
+  }
+  e.probability /= e.probability.sum();
+  return e;
+}
+
+std::vector<MechanismFacts> catalogue() {
+  return {{"surface_compaction",
+           "sand compacted near the surface",
+           "q_c is higher near the top, and the difference fades downward over a few decay lengths.",
+           {{"surface_compaction.increase_percent", "ΔDᵣ", "%",
+             "increase of the relative density at the soil's top", 0.0, 40.0},
+            {"surface_compaction.decay_mm", "ℓ", "mm", "depth over which the increase falls to 1/e", 20.0,
+             120.0}}},
+          {"density_lens",
+           "a looser or denser lens in the sand",
+           "q_c is lower or higher over the lens and about three cone diameters to either side.",
+           {{"density_lens.change_percent", "ΔDᵣ,lens", "%", "change of the relative density", -25.0, 25.0},
+            {"density_lens.centre_mm", "z_lens", "mm", "depth of the lens's middle", 60.0, 300.0},
+            {"density_lens.thickness_mm", "t_lens", "mm", "thickness of the lens", 30.0, 120.0}}},
+          {"depth_datum",
+           "a shifted depth datum",
+           "the whole curve moves up or down: largest differences where q_c changes fastest.",
+           {{"depth_datum.shift_mm", "Δz_datum", "mm", "recorded less true depth", -25.0, 25.0}}}};
+}
+
+void add_cells(DiagnosisInput& input, int soundings) {
+  diagnosis::Diagnosis& d = input.diagnosis;
+  d.cells = diagnosis::cells_of(
+      std::vector<diagnosis::SoundingGrid>(static_cast<std::size_t>(soundings), {0.0, height, cells_each}));
+  const auto n = static_cast<Index>(d.cells.size());
+  input.recorded.resize(n);
+  input.baseline.resize(n);
+  d.recalibrated.curve.resize(n);
+  d.with_best.curve.resize(n);
+  for (Index i = 0; i < n; ++i) {
+    const double depth = d.cells[static_cast<std::size_t>(i)].depth;
+    const double ln = std::log(q_c(depth));
+    d.rows.push_back(i);
+    input.baseline(i) = ln;
+    input.recorded(i) = ln + compaction(depth) + ripple(depth);
+    d.recalibrated.curve(i) = ln + 0.06;
+    d.with_best.curve(i) = ln + 0.97 * compaction(depth);
+  }
+}
+
+}  // namespace
+
+DiagnosisInput named_case(int soundings) {
+  DiagnosisInput input;
+  input.name = "chamber";
+  input.title = "Chamber test CC-3";
+  for (int s = 0; s < soundings; ++s)
+    input.soundings.push_back({soundings == 1 ? "push" : "push " + std::to_string(s + 1),
+                               curve([](double z) { return compaction(z) + ripple(z); }, 600),
+                               curve([](double) { return 0.0; }, 120),
+                               curve([](double z) { return 0.95 * compaction(z); }, 120)});
+  input.parameters = {{"sand.relative_density_percent", "Dᵣ", "%", 60.0, 50.0, 70.0},
+                      {"sand.sigma_h0_kPa", "σ'ₕ₀", "kPa", 35.0, 30.0, 40.0},
+                      {"chamber.wall", "wall", "-", 0.0, 0.0, 1.0, {"rigid", "flexible"}}};
+  input.mechanisms = catalogue();
+  add_cells(input, soundings);
+
+  diagnosis::Diagnosis& d = input.diagnosis;
+  d.measurement = {diagnosis::Kernel::ar1, 0.02, 0.012};
+  const auto n = static_cast<Index>(d.cells.size());
+  d.numerical =
+      diagnosis::ShrunkCovariance{4e-4 * MatrixXd::Identity(n, n), {diagnosis::Kernel::ar1, 0.02, 0.02}, 0.4};
+  d.recalibrated.place = vector({0.7, 0.55, 0.0});
+  d.recalibrated.deviation = vector({0.12, 0.2, 0.3});
+  d.recalibrated.rmse = std::log(1.21);
+  d.with_best.place = vector({0.52, 0.5, 0.0});
+  d.with_best.deviation = vector({0.1, 0.2, 0.3});
+  d.with_best.rmse = std::log(1.03);
+  d.null_check = {95.0, 0.001, 40.0, 0.001, 0.002};
+  d.location = {11.3, 42.0, 0.000999, {{0, 0.03, 0.1125, std::log(1.38), 38.0, 410e3, 42.0, 0.000999}}};
+  d.hypotheses = {{"surface_compaction", 1.0 / 6.0, 71.4, 0.93},
+                  {"density_lens", 1.0 / 6.0, 66.9, 0.01},
+                  {"depth_datum", 1.0 / 6.0, 62.0, 0.0002},
+                  {diagnosis::nothing_is_missing, 0.3, 60.1, 0.0004},
+                  {diagnosis::none_of_these, 0.2, 68.5, 0.06}};
+  d.mechanisms = {evidence("surface_compaction", 71.4, vector({0.35, 0.4}), vector({0.075, 0.1})),
+                  evidence("density_lens", 66.9, vector({0.8, 0.1, 0.6}), vector({0.1, 0.05, 0.25})),
+                  evidence("depth_datum", 62.0, vector({0.3}), vector({0.08}))};
+  d.pairs = {{"surface_compaction", "depth_datum", 70.2, vector({0.3, 0.4}), vector({0.5})}};
+  d.winner = d.answer = 0;
+  d.gate = diagnosis::PredictiveCheck{41.0, 0.42, 6.0, 0.5, 0.84};
+  d.set = {0};
+  d.isolability.resize(3, 4);
+  d.isolability << 0.0, 4.1, 5.6, 7.9, 3.2, 0.0, 4.4, 3.6, 1.9, 2.7, 0.0, 2.2;
+  d.best = 0;
+  d.held_out = diagnosis::HeldOutGain{std::log(1.21), std::log(1.06), 33.2, 0.83, 0.51, 1.18};
+  d.variations = {{"parameter ranges x 1/2", "surface_compaction", false},
+                  {"parameter ranges x 2", "surface_compaction", false}};
+  input.noise = {false, 5, 1.0, 12};
+  input.provenance = {"0.1.0", "7",   {1, 2}, {{"recording", "cc3.csv", "ab12"}, {"study", "cc3.toml", ""}},
+                      184,     5400.0};
+  return input;
+}
+
+DiagnosisInput nothing_missing_case() {
+  DiagnosisInput input = named_case();
+  diagnosis::Diagnosis& d = input.diagnosis;
+  input.recorded = d.recalibrated.curve;
+  d.recalibrated.rmse = std::log(1.03);
+  d.location = {11.3, 6.4, 0.34, {}};
+  d.hypotheses[0].probability = 0.05;
+  d.hypotheses[3].probability = 0.87;
+  d.winner = d.answer = 3;
+  d.null_check = {38.0, 0.4, 6.4, 0.34, 0.68};
+  d.gate = d.null_check;
+  d.set = {3, 4};
+  d.held_out = diagnosis::HeldOutGain{0.04, 0.04, -0.4, -0.01, -0.05, 0.02};
+  for (Sounding& s : input.soundings) s.solver.reset();
+  return input;
+}
+
+DiagnosisInput none_of_these_case() {
+  DiagnosisInput input = named_case();
+  diagnosis::Diagnosis& d = input.diagnosis;
+  d.hypotheses[0].probability = 0.1;
+  d.hypotheses[4].probability = 0.83;
+  d.winner = d.answer = 4;
+  d.gate.reset();
+  d.set = {4};
+  d.pairs[0].log_evidence = 75.6;
+  return input;
+}
+
+DiagnosisInput gate_failed_case() {
+  DiagnosisInput input = named_case();
+  input.diagnosis.answer = 4;
+  input.diagnosis.gate = diagnosis::PredictiveCheck{90.0, 0.001, 21.0, 0.004, 0.002};
+  return input;
+}
+
+DiagnosisInput indistinguishable_case() {
+  DiagnosisInput input = named_case();
+  diagnosis::Diagnosis& d = input.diagnosis;
+  d.hypotheses[0].probability = 0.52;
+  d.hypotheses[1].probability = 0.41;
+  d.isolability(0, 1) = 1.2;
+  d.set = {0, 1};
+  d.next = {{"a second push at 100 kPa", 4.3}, {"the sleeve friction", 1.9}};
+  d.variations[1] = {"parameter ranges x 2", "density_lens", true};
+  return input;
+}
+
+}  // namespace cpt::reports::diagnosed
