@@ -11,13 +11,16 @@
 #include "campaign/stop_signals.hpp"
 #include "campaign/worker.hpp"
 #include "cli/command.hpp"
+#include "cli/diagnosis_input.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/realization_command.hpp"
 #include "cli/study_argument.hpp"
 #include "diagnosis/answer_store.hpp"
 #include "diagnosis/assemble.hpp"
+#include "diagnosis/fitted.hpp"
 #include "diagnosis/read_request.hpp"
 #include "parameters/designs/one_at_a_time.hpp"
+#include "reports/diagnosis/write_diagnosis_report.hpp"
 #include "results/ledger.hpp"
 
 namespace cpt::cli {
@@ -74,11 +77,40 @@ std::vector<SoundingData> soundings_of(const Asked& asked) {
   return soundings;
 }
 
-// Takes over what the study's own campaign has finished.
-int adopt(const parameters::Study& from, const SoundingStudy& sounding, const std::string& text) {
-  const auto realizations = parameters::one_at_a_time(sounding.study);
-  return results::Ledger::open_for_run(sounding.study, realizations, {text, false}).adopt(from.database);
-}
+// Runs studies one after the other on the same ranks.
+class Runner {
+ public:
+  struct Stopped {
+    int signal;
+  };
+
+  Runner(const Arguments& arguments, const std::string& study_text, campaign::Transport& transport)
+      : arguments_(arguments), study_text_(study_text), transport_(transport) {}
+
+  /// What `study` holds when all has run; what another campaign's database has finished is taken from there.
+  /// Throws Stopped.
+  results::Snapshot run(const parameters::Study& study, const std::filesystem::path& finished) {
+    const int adopted =
+        results::Ledger::open_for_run(study, parameters::one_at_a_time(study), {study_text_, false})
+            .adopt(finished);
+    if (!arguments_.quiet && adopted > 0)
+      fmt::print("{} realizations taken from {}\n", adopted, finished.string());
+    campaign::ProgressDisplay display(stderr, arguments_.quiet ? campaign::ProgressDisplay::Style::silent
+                                                               : campaign::ProgressDisplay::style_of(stderr));
+    const campaign::Summary summary =
+        campaign::run_campaign(study, study_text_, transport_, arguments_.options, display);
+    ranks_lost_ = ranks_lost_ || summary.ranks_lost;
+    if (summary.signal != 0) throw Stopped{summary.signal};
+    return results::read_snapshot(study.database);
+  }
+  [[nodiscard]] bool ranks_lost() const { return ranks_lost_; }
+
+ private:
+  const Arguments& arguments_;
+  const std::string& study_text_;
+  campaign::Transport& transport_;
+  bool ranks_lost_ = false;
+};
 
 void print_answer(const Assembled& assembled, const Diagnosis& diagnosis) {
   for (const std::string& remark : assembled.remarks) fmt::print("note: {}\n", remark);
@@ -100,41 +132,45 @@ void print_answer(const Assembled& assembled, const Diagnosis& diagnosis) {
                100.0 * std::expm1(diagnosis.held_out->rmse), diagnosis.hypotheses[*diagnosis.best].name);
 }
 
+void diagnose_with(Runner& runner, const Asked& asked) {
+  const Request& request = asked.request;
+  std::vector<SoundingData> soundings = soundings_of(asked);
+  for (SoundingData& sounding : soundings)
+    sounding.campaign = runner.run(sounding.study.study, asked.study.database);
+
+  const Assembled assembled = assemble(request, soundings);
+  Options options;
+  options.seed = request.seed;
+  const Diagnosis diagnosis = diagnose(assembled.problem, options);
+
+  std::vector<results::Snapshot> fitted;
+  for (std::size_t s = 0; s < soundings.size(); ++s)
+    fitted.push_back(runner.run(
+        fitted_study(request, soundings[s].study, s, assembled.mechanisms, assembled.problem, diagnosis),
+        soundings[s].study.study.database));
+  store_answer(request.database, request.title, diagnosis, assembled.problem);
+  print_answer(assembled, diagnosis);
+  const auto files = reports::diagnosed::write_diagnosis_report(
+      diagnosis_input(request, soundings, assembled, options, diagnosis, fitted), request.report_dir);
+  fmt::print("answer in {}\nreport: {}\n", request.database.string(), files.front().string());
+}
+
 int diagnose_as_master(const Arguments& arguments, campaign::Transport& transport, bool& ranks_lost) {
   const campaign::Dismissal dismissal(transport);
   const Asked asked = read(arguments.request);
-  std::vector<SoundingData> soundings = soundings_of(asked);
-  const auto style = arguments.quiet ? campaign::ProgressDisplay::Style::silent
-                                     : campaign::ProgressDisplay::style_of(stderr);
-  for (SoundingData& sounding : soundings) {
-    const int adopted = adopt(asked.study, sounding.study, asked.study_text);
-    if (!arguments.quiet && adopted > 0)
-      fmt::print("{}: {} realizations taken from {}\n", sounding.request.name, adopted,
-                 asked.study.database.string());
-    campaign::ProgressDisplay display(stderr, style);
-    const campaign::Summary summary =
-        campaign::run_campaign(sounding.study.study, asked.study_text, transport, arguments.options, display);
-    ranks_lost = ranks_lost || summary.ranks_lost;
-    if (summary.signal != 0) {
-      fmt::print(stderr, "stopped by signal {}; the same command goes on where this one stopped\n",
-                 summary.signal);
-      return stopped_by_signal + summary.signal;
-    }
-    sounding.campaign = results::read_snapshot(sounding.study.study.database);
-  }
-
+  Runner runner(arguments, asked.study_text, transport);
+  int code = all_well;
   try {
-    const Assembled assembled = assemble(asked.request, soundings);
-    Options options;
-    options.seed = asked.request.seed;
-    const Diagnosis diagnosis = diagnose(assembled.problem, options);
-    store_answer(asked.request.database, asked.request.title, diagnosis, assembled.problem);
-    print_answer(assembled, diagnosis);
-    fmt::print("answer in {}\n", asked.request.database.string());
+    diagnose_with(runner, asked);
+  } catch (const Runner::Stopped& stopped) {
+    fmt::print(stderr, "stopped by signal {}; the same command goes on where this one stopped\n",
+               stopped.signal);
+    code = stopped_by_signal + stopped.signal;
   } catch (const std::invalid_argument& problem) {
     throw BadInput(problem.what());
   }
-  return all_well;
+  ranks_lost = runner.ranks_lost();
+  return code;
 }
 
 void print_plan(const Asked& asked) {

@@ -49,7 +49,7 @@ Findings second_push_findings(const StudyView& first, const StudyView& second) {
 Finding recording_finding() {
   Finding finding =
       not_run({"F9", "baseline against the recording"}, "close, with some discrepancy at shallow depths", "5",
-              "the recording of the homogeneous sand is not published as numbers; `docs/diagnosis.md` does "
+              "the recording of the homogeneous sand is not published as numbers; `campaign diagnose` does "
               "this with recordings that are");
   finding.verdict = Verdict::not_published;
   return finding;

@@ -32,7 +32,7 @@ The paper prints its laboratory tests and recordings as figures only, so these a
 
 | Fig. | the text gives | the text does not give | shown here |
 | --- | --- | --- | --- |
-| 3, 9, 10 | averages of q<sub>c</sub> | recordings | ours alone; `docs/diagnosis.md` compares with published recordings |
+| 3, 9, 10 | averages of q<sub>c</sub> | recordings | ours alone; `campaign diagnose` compares with recordings |
 | 5 | critical state line, bounds of λ, 14 tests at D<sub>R</sub> = 1 % | measured paths, cell pressures | line and simulated tests |
 | 6 | parameters, D<sub>R</sub> = 80, 51, 1 %, 12 tests | measured curves, cell pressures, each test's H | simulated tests at both bounds of H |
 | 7 | H from 25 to 75, linear in ψ<sub>0</sub>, depends on p'<sub>0</sub> | the points, the line | H found again from simulated tests of known H |
