@@ -56,12 +56,8 @@ std::string also_possible(const DiagnosisInput& input) {
         "{}Its effect stands only {} standard deviations out of what the study's parameters and the noise "
         "can do.",
         text.empty() ? "" : " ",
-        number(d.isolability(static_cast<Index>(d.answer), static_cast<Index>(nothing)), 2));
+        brief(d.isolability(static_cast<Index>(d.answer), static_cast<Index>(nothing))));
   return text;
-}
-
-std::string gate(const DiagnosisInput& input) {
-  return input.diagnosis.gate ? check_passed(input, *input.diagnosis.gate) : "";
 }
 
 Answer named(const DiagnosisInput& input) {
@@ -72,7 +68,7 @@ Answer named(const DiagnosisInput& input) {
           {joined({where_it_differs(input),
                    fmt::format("{} can explain the difference ({}): {}.", title, chance(input, k),
                                fitted_parameters(input, k)),
-                   weak_parameters(input, k), runner_up(input), also_possible(input), gate(input)}),
+                   weak_parameters(input, k), runner_up(input), also_possible(input), check_passed(input)}),
            joined({held_out(input), solver_confirms(input)}), prior_widths(input)}};
 }
 
@@ -89,7 +85,7 @@ Answer indistinguishable(const DiagnosisInput& input) {
           {joined({where_it_differs(input),
                    "Each of these can explain the difference, and the recording does "
                    "not tell them apart."}),
-           joined(fits), joined({also_possible(input), gate(input)}),
+           joined(fits), joined({also_possible(input), check_passed(input)}),
            next.empty() ? "No further measurement was weighed that could tell them apart." : next,
            joined({held_out(input), solver_confirms(input)}), prior_widths(input)}};
 }
@@ -102,14 +98,14 @@ Answer nothing_missing(const DiagnosisInput& input) {
            : fmt::format(
                  "There is no firm sign that physics is missing: the probability that nothing is, {}, would "
                  "have to be below {}.",
-                 probability(d.hypotheses[d.answer].probability), number(input.options.alarm, 2));
+                 probability(d.hypotheses[d.answer].probability), brief(input.options.alarm));
   const std::string next = d.best ? fmt::format("Of the catalogued effects, {} would come first ({}).",
                                                 title_of(input, *d.best), chance(input, *d.best))
                                   : "";
   return {AnswerKind::nothing_missing,
           sure ? "Nothing is missing: the study's parameters within their bounds, and noise, are enough."
                : "No firm sign that anything is missing.",
-          {joined({where_it_differs(input), weight, gate(input)}),
+          {joined({where_it_differs(input), weight, check_passed(input)}),
            joined({recalibration_error(input), parameters_moved(input)}), joined({next, held_out(input)}),
            prior_widths(input)}};
 }
@@ -120,7 +116,7 @@ Answer none_of_these(const DiagnosisInput& input) {
       fmt::format("None of the {} catalogued effects accounts for it: that it is something else has {}",
                   input.mechanisms.size(), chance(input, d.answer));
   if (d.best)
-    what += fmt::format(", the best of the catalogue, {}, {}", title_of(input, *d.best),
+    what += fmt::format(", the best of the catalogue, {}, has {}", title_of(input, *d.best),
                         probability(d.hypotheses[*d.best].probability));
   return {AnswerKind::none_of_these,
           "Something is missing that is not in the catalogue.",
@@ -140,7 +136,7 @@ Answer gate_failed(const DiagnosisInput& input) {
   return {AnswerKind::gate_failed,
           nothing ? "The study's parameters are not enough, and no effect of the catalogue stands out."
                   : "No effect of the catalogue passes the check: something else is missing.",
-          {joined({where_it_differs(input), what, gate(input),
+          {joined({where_it_differs(input), what, check_passed(input),
                    fmt::format("Therefore the answer is “{}”.", title_of(input, d.answer))}),
            best_pair(input), joined({held_out(input), solver_confirms(input)}), prior_widths(input)}};
 }

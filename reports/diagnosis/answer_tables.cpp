@@ -31,14 +31,14 @@ std::string intervals_table(const DiagnosisInput& input) {
   const diagnosis::Location& location = input.diagnosis.location;
   std::string text = fmt::format(
       "### Mismatch intervals\n\nGreatest step statistic {}, threshold {} (family-wise level {}).\n\n",
-      decimals(location.greatest, 1), decimals(location.threshold, 1), number(input.options.locate.alpha, 2));
+      decimals(location.greatest, 1), decimals(location.threshold, 1), brief(input.options.locate.alpha));
   if (location.mismatches.empty()) return text + "None.\n\n";
   text += table_head({"sounding", "from (m)", "to (m)", "recorded less simulated (%)",
                       "recorded less simulated (kPa)", "statistic (-)", "p (-)"});
   for (const diagnosis::Mismatch& m : location.mismatches)
     text += table_line(
         {m.sounding < 0 ? "all" : markdown(input.soundings[static_cast<std::size_t>(m.sounding)].name),
-         decimals(m.from, 3), decimals(m.to, 3), decimals(m.percent, 1), number(m.step / 1e3, 3),
+         decimals(m.from, 3), decimals(m.to, 3), decimals(m.percent, 1), brief(m.step / 1e3),
          decimals(m.statistic, 1), m.p < 0.001 ? "< 0.001" : decimals(m.p, 3)});
   return text + "\n";
 }
@@ -54,11 +54,11 @@ std::string fitted_parameters_table(const DiagnosisInput& input) {
     for (std::size_t j = 0; j < facts.parameters.size(); ++j) {
       const MechanismParameterFacts& p = facts.parameters[j];
       const auto i = static_cast<Index>(j);
-      const auto value = [&](double phi) { return number(study_value(p, phi), 3); };
+      const auto value = [&](double phi) { return brief(study_value(p, phi)); };
       const std::string unit = markdown(unit_after(p.unit));
       text += table_line({j == 0 ? markdown(facts.title) : "", j == 0 ? markdown(facts.signature) : "",
                           fmt::format("{} ({})", markdown_symbol(p.symbol), markdown(p.name)),
-                          fmt::format("{} to {}{}", number(p.lower, 3), number(p.upper, 3), unit),
+                          fmt::format("{} to {}{}", brief(p.lower), brief(p.upper), unit),
                           markdown(with_deviation(study_value(p, fit.mean(i)),
                                                   study_deviation(p, fit.deviation(i)), p.unit)),
                           fmt::format("{} to {}{}", value(fit.lower(i)), value(fit.upper(i)), unit),
@@ -97,7 +97,7 @@ std::string checks_table(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
   std::string text =
       fmt::format("### Predictive checks\n\nA hypothesis whose p is below {} is not the answer.\n\n",
-                  number(input.options.gate, 1)) +
+                  brief(input.options.gate)) +
       table_head(
           {"hypothesis", "chi-square (-)", "its p (-)", "greatest step left (-)", "its p (-)", "p (-)"});
   const auto line = [&](const std::string& name, const diagnosis::PredictiveCheck& c) {
@@ -125,7 +125,7 @@ std::string next_measurements_table(const DiagnosisInput& input) {
       fmt::format(
           "### Next measurement\n\nLeast distance between any two effects of the set, together with "
           "this recording; {} is wanted.\n\n",
-          number(input.options.indistinguishable, 2)) +
+          brief(input.options.indistinguishable)) +
       table_head({"measurement", "distance (standard deviations)"});
   for (const diagnosis::NextMeasurement& next : input.diagnosis.next)
     text += table_line({markdown(next.name), decimals(next.least_distance, 1)});

@@ -14,14 +14,14 @@ using paper::table_line;
 
 std::string describe(const diagnosis::NoiseModel& noise) {
   return fmt::format("standard deviation {}, correlation length {} mm, {}",
-                     percent(percent_of(noise.deviation)), number(1e3 * noise.length, 3),
+                     percent(percent_of(noise.deviation)), brief(1e3 * noise.length),
                      noise.kernel == diagnosis::Kernel::ar1 ? "AR(1)" : "Matérn-3/2");
 }
 
 std::string time_text(double seconds) {
-  if (seconds < 120.0) return number(seconds, 3) + " s";
-  if (seconds < 7200.0) return number(seconds / 60.0, 3) + " min";
-  return number(seconds / 3600.0, 3) + " h";
+  if (seconds < 120.0) return brief(seconds) + " s";
+  if (seconds < 7200.0) return brief(seconds / 60.0) + " min";
+  return brief(seconds / 3600.0) + " h";
 }
 
 }  // namespace
@@ -52,13 +52,12 @@ std::string study_parameters_table(const DiagnosisInput& input) {
     const bool choice = p.choices.size() == 2;
     const std::string unit = choice ? "" : markdown(unit_after(p.unit));
     const auto value = [&](double place) {
-      return choice ? markdown(p.choices[place < 0.5 ? 0 : 1]) : number(study_value(p, place), 3) + unit;
+      return choice ? markdown(p.choices[place < 0.5 ? 0 : 1]) : brief(study_value(p, place)) + unit;
     };
-    std::vector<std::string> cells{
-        fmt::format("{} ({})", markdown_symbol(p.symbol), markdown(p.name)),
-        choice ? value(0.0) + " or " + value(1.0)
-               : fmt::format("{} to {}{}", number(p.lower, 3), number(p.upper, 3), unit),
-        value(baseline_place(p))};
+    std::vector<std::string> cells{fmt::format("{} ({})", markdown_symbol(p.symbol), markdown(p.name)),
+                                   choice ? value(0.0) + " or " + value(1.0)
+                                          : fmt::format("{} to {}{}", brief(p.lower), brief(p.upper), unit),
+                                   value(baseline_place(p))};
     const auto add = [&](const diagnosis::Recalibration& fit) {
       cells.push_back(with_deviation(fit.place(j), fit.deviation(j), "-"));
       cells.push_back(value(fit.place(j)));
@@ -76,11 +75,10 @@ std::string noise_table(const DiagnosisInput& input) {
                      table_line({"measurement", describe(d.measurement),
                                  input.noise.measurement_given ? "given" : "the recording's high-pass part"});
   if (d.numerical)
-    text +=
-        table_line({"numerical",
-                    fmt::format("{}; weight of this fit {}, share {}", describe(d.numerical->target),
-                                decimals(d.numerical->weight, 2), number(input.noise.numerical_shares, 2)),
-                    fmt::format("{} repeats of the baseline", input.noise.repeats)});
+    text += table_line({"numerical",
+                        fmt::format("{}; weight of this fit {}, share {}", describe(d.numerical->target),
+                                    decimals(d.numerical->weight, 2), brief(input.noise.numerical_shares)),
+                        fmt::format("{} repeats of the baseline", input.noise.repeats)});
   text +=
       table_line({"error of adding the parameters' effects", input.noise.joint_runs > 0 ? "low rank" : "none",
                   fmt::format("{} runs at joint parameters", input.noise.joint_runs)});
@@ -102,7 +100,7 @@ std::string provenance_table(const DiagnosisInput& input) {
   text += table_line({"solver runs", fmt::format("{}", p.solver_runs)}) +
           table_line({"wall time", time_text(p.wall_s)}) +
           table_line({"cells compared", fmt::format("{} of {} mm", input.diagnosis.cells.size(),
-                                                    number(1e3 * input.diagnosis.cells.front().height, 3))});
+                                                    brief(1e3 * input.diagnosis.cells.front().height))});
   return text + "\n";
 }
 

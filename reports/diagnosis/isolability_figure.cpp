@@ -11,7 +11,7 @@
 namespace cpt::reports::diagnosed {
 namespace {
 
-constexpr double cell = 26.0, label_room = 220.0, top = 76.0, label_size = 8.0, right = 14.0;
+constexpr double cell = 26.0, label_room = 248.0, top = 76.0, label_size = 8.0, right = 14.0;
 constexpr double full_colour = 10.0;  // [standard deviations] at and above which the colour is deepest
 
 // Orange below the threshold, blue above it, the deeper the further; made light enough for dark figures.
@@ -55,7 +55,7 @@ std::optional<std::string> isolability_figure(const DiagnosisInput& input) {
   const double threshold = input.options.indistinguishable;
   const std::vector<std::size_t> order = by_probability(input, count);
   const double side = static_cast<double>(count) * cell;
-  const double width = std::max(470.0, label_room + side + cell + 10.0 + right);
+  const double width = std::max(500.0, label_room + side + cell + 10.0 + right);
   Svg svg(width, top + side + 44.0, "isolability");
   const auto heading = [&](double x, const std::string& text) {
     svg.text({x + 0.5 * cell, top - 6.0}, plain(text), {.size = label_size, .anchor = Anchor::middle});

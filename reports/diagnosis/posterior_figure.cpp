@@ -72,7 +72,7 @@ std::optional<std::string> posterior_figure(const DiagnosisInput& input) {
     draw_panel(svg, {left + static_cast<double>(k) * (across + gap), top, across, panel_height},
                parameters[k], input.diagnosis.mechanisms[best], static_cast<Index>(k));
   draw_heading(svg, shortened(capitalized(title_of(input, best)), width - 16.0, 10.0, true),
-               plain("its parameters over the ranges that were looked at; mean ± standard deviation"));
+               plain("probability density over the ranges that were looked at; mean ± standard deviation"));
   const double y = top + panel_height + 46.0;
   Legend(svg, 16.0, y, 110.0).line(plain("with the recording"), {palette::vermillion, 1.3, {}});
   Legend(svg, 136.0, y, 60.0).line(plain("prior"), {palette::muted, 1.0, "3 2"});

@@ -10,7 +10,7 @@
 namespace cpt::reports::diagnosed {
 namespace {
 
-constexpr double row_height = 17.0, bar_height = 10.0, label_room = 210.0, plot_width = 250.0, top = 46.0;
+constexpr double row_height = 17.0, bar_height = 10.0, label_room = 236.0, plot_width = 250.0, top = 46.0;
 constexpr double value_room = 66.0, label_size = 8.0;
 
 }  // namespace
@@ -43,9 +43,9 @@ std::string probability_figure(const DiagnosisInput& input) {
   draw_heading(svg, "Probability of each explanation", plain("bold: the answer, after the predictive check"));
   const double bottom = plot.bottom() + 48.0;
   Legend(svg, 12.0, bottom, 150.0).patch(plain("effect of the catalogue"), palette::vermillion);
-  Legend(svg, 170.0, bottom, 180.0).patch(plain("nothing, or something else"), palette::blue);
-  svg.line({364.0, bottom - 6.0}, {364.0, bottom + 6.0}, {palette::ink, 1.3, {}});
-  svg.text({372.0, bottom + 2.7}, plain("before the recording (prior)"), {.size = 7.5});
+  Legend(svg, 182.0, bottom, 180.0).patch(plain("nothing, or something else"), palette::blue);
+  svg.line({386.0, bottom - 6.0}, {386.0, bottom + 6.0}, {palette::ink, 1.3, {}});
+  svg.text({394.0, bottom + 2.7}, plain("before the recording (prior)"), {.size = 7.5});
   return svg.document("Probabilities of " + input.title);
 }
 

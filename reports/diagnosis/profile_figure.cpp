@@ -43,7 +43,7 @@ VectorXd in_kPa(const VectorXd& ln) {
 }
 
 void draw_legend(Svg& svg, const DiagnosisInput& input, const SoundingPanels& panels) {
-  const double half = 0.5 * (panels.width() - 20.0);
+  const double half = std::min(260.0, 0.5 * (panels.width() - 20.0));
   Legend curves(svg, 12.0, panels.legend_top(), half - 6.0);
   curves.line(plain("recording"), recorded_pen);
   curves.line(plain("simulation, baseline"), baseline_pen);
@@ -54,11 +54,7 @@ void draw_legend(Svg& svg, const DiagnosisInput& input, const SoundingPanels& pa
     if (std::ranges::any_of(input.soundings, [](const Sounding& s) { return s.solver.has_value(); }))
       others.line(plain("with the best effect (full solver)"), solver_pen);
   }
-  const auto& mismatches = input.diagnosis.location.mismatches;
-  if (std::ranges::any_of(mismatches, [](const auto& m) { return m.size >= 0.0; }))
-    others.patch(plain("mismatch, recording above"), above_fill);
-  if (std::ranges::any_of(mismatches, [](const auto& m) { return m.size < 0.0; }))
-    others.patch(plain("mismatch, recording below"), below_fill);
+  add_intervals(others, input);
 }
 
 }  // namespace

@@ -76,14 +76,15 @@ std::string residual_figure(const DiagnosisInput& input) {
     svg.frame(box, {palette::ink, 0.6, {}});
   }
   draw_heading(svg, "What is left of the difference",
-               symbolic("q_c, recorded less simulated, of simulated; before and after the best effect"));
-  const double half = 0.5 * (panels.width() - 20.0);
-  Legend left(svg, 12.0, panels.legend_top(), half - 6.0);
-  left.line(plain("before: parameters refitted"), before_pen);
-  if (r.after.size() > 0) left.line(plain("after: with the best effect"), after_pen);
-  Legend right(svg, 12.0 + half, panels.legend_top(), half - 6.0);
-  right.patch(plain("± 2 standard deviations of noise"), noise_fill);
-  if (r.solver.size() > 0) right.line(plain("after, in the full solver"), solver_pen);
+               symbolic("q_c, recorded less simulated, in % of simulated; before and after the best effect"));
+  const double half = std::min(260.0, 0.5 * (panels.width() - 20.0));
+  Legend curves(svg, 12.0, panels.legend_top(), half - 6.0);
+  curves.line(plain("before: parameters refitted"), before_pen);
+  if (r.after.size() > 0) curves.line(plain("after: with the best effect (emulator)"), after_pen);
+  if (r.solver.size() > 0) curves.line(plain("after: with the best effect (full solver)"), solver_pen);
+  Legend fills(svg, 12.0 + half, panels.legend_top(), half - 6.0);
+  fills.patch(plain("± 2 standard deviations of noise"), noise_fill);
+  add_intervals(fills, input);
   return svg.document("Residuals of " + input.title);
 }
 

@@ -13,8 +13,8 @@ namespace cpt::reports::diagnosed {
 [[nodiscard]] std::string fitted_parameters(const DiagnosisInput& input, std::size_t mechanism);
 /// Parameters at an end of their range, or hardly told by the recording.
 [[nodiscard]] std::string weak_parameters(const DiagnosisInput& input, std::size_t mechanism);
-/// Result of the predictive check.
-[[nodiscard]] std::string check_passed(const DiagnosisInput& input, const diagnosis::PredictiveCheck& check);
+/// Result of the winner's predictive check.
+[[nodiscard]] std::string check_passed(const DiagnosisInput& input);
 /// Which study parameters the null moved, and how.
 [[nodiscard]] std::string parameters_moved(const DiagnosisInput& input);
 /// Error of the baseline and of the recalibrated null.

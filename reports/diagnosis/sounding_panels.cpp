@@ -13,6 +13,7 @@ namespace {
 constexpr double top = 82.0, left = 48.0, right = 12.0, gap_across = 40.0, gap_down = 56.0;
 constexpr double least_width = 360.0;
 constexpr std::size_t most_across = 4;
+constexpr std::string_view above_fill = "#fbe3c0", below_fill = "#d3e9f8";  // light orange and sky
 
 }  // namespace
 
@@ -83,6 +84,14 @@ std::vector<Point> cell_line(const DiagnosisInput& input, std::size_t sounding, 
     last = &cell;
   }
   return points;
+}
+
+void add_intervals(Legend& legend, const DiagnosisInput& input) {
+  const auto& mismatches = input.diagnosis.location.mismatches;
+  if (std::ranges::any_of(mismatches, [](const auto& m) { return m.size >= 0.0; }))
+    legend.patch(plain("mismatch, recording above"), above_fill);
+  if (std::ranges::any_of(mismatches, [](const auto& m) { return m.size < 0.0; }))
+    legend.patch(plain("mismatch, recording below"), below_fill);
 }
 
 }  // namespace cpt::reports::diagnosed

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reports/axis.hpp"
+#include "reports/depth_plot.hpp"
 #include "reports/diagnosis/input.hpp"
 #include "reports/svg.hpp"
 
@@ -33,8 +34,7 @@ class SoundingPanels {
 [[nodiscard]] std::vector<Point> cell_line(const DiagnosisInput& input, std::size_t sounding,
                                            const VectorXd& values, const Axis& across, const Axis& depth);
 
-/// Entries of a legend for the shaded intervals: a fill where the recording is above, one where below.
-inline constexpr std::string_view above_fill = "#fbe3c0";
-inline constexpr std::string_view below_fill = "#d3e9f8";
+/// Entries of a legend for the shaded intervals that there are.
+void add_intervals(Legend& legend, const DiagnosisInput& input);
 
 }  // namespace cpt::reports::diagnosed

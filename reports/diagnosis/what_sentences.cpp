@@ -50,11 +50,15 @@ std::string weak_parameters(const DiagnosisInput& input, std::size_t mechanism) 
   return text;
 }
 
-std::string check_passed(const DiagnosisInput& input, const diagnosis::PredictiveCheck& check) {
-  const bool passed = check.p >= input.options.gate;
-  return fmt::format("Curves drawn from it {} this one (predictive check, {}, limit {}).",
-                     passed ? "look like" : "do not look like", p_value(check.p),
-                     number(input.options.gate, 1));
+std::string check_passed(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  if (!d.gate) return "";
+  const std::string from = d.winner < input.mechanisms.size()
+                               ? title_of(input, d.winner) + " in the simulation"
+                               : "the study's parameters and the noise alone";
+  return fmt::format("Curves drawn with {} {} like the recording (predictive check, {}, limit {}).", from,
+                     d.gate->p >= input.options.gate ? "look" : "do not look", p_value(d.gate->p),
+                     brief(input.options.gate));
 }
 
 std::string held_out(const DiagnosisInput& input) {
@@ -72,8 +76,8 @@ std::string held_out(const DiagnosisInput& input) {
   return fmt::format(
       "With {}, the error on depths held out of the fit {} (gain in log score {} per cell, 90 % interval {} "
       "to {}{}).",
-      title_of(input, *d.best), change, number(gain.per_cell, 2), number(gain.lower, 2),
-      number(gain.upper, 2), meaning);
+      title_of(input, *d.best), change, decimals(gain.per_cell, 2), decimals(gain.lower, 2),
+      decimals(gain.upper, 2), meaning);
 }
 
 std::string solver_confirms(const DiagnosisInput& input) {
@@ -101,7 +105,7 @@ std::string best_pair(const DiagnosisInput& input) {
       "The best pair to look into is {} (log evidence {} above the best effect alone); that is a hint, not "
       "an "
       "answer.",
-      both, number(gain, 2));
+      both, brief(gain));
 }
 
 std::string next_measurement(const DiagnosisInput& input) {
@@ -112,25 +116,27 @@ std::string next_measurement(const DiagnosisInput& input) {
     return fmt::format(
         "Of the candidate measurements none would tell them apart; {} comes nearest ({} standard deviations, "
         "{} wanted).",
-        next.name, number(next.least_distance, 2), number(limit, 2));
+        next.name, brief(next.least_distance), brief(limit));
   return fmt::format(
       "The next measurement that would tell them apart best: {} (at least {} standard deviations between any "
       "two, {} wanted).",
-      next.name, number(next.least_distance, 2), number(limit, 2));
+      next.name, brief(next.least_distance), brief(limit));
 }
 
 std::string prior_widths(const DiagnosisInput& input) {
   const auto& variations = input.diagnosis.variations;
   if (variations.empty()) return "";
-  std::string text;
-  for (const diagnosis::PriorVariation& v : variations)
+  std::string changes;
+  std::vector<std::string> all;
+  for (const diagnosis::PriorVariation& v : variations) {
+    all.push_back(v.what);
     if (v.changed)
-      text += fmt::format("{}with {} the most probable answer would be “{}”", text.empty() ? "" : "; ",
-                          v.what, title_of(input, v.answer));
-  if (text.empty())
-    return "The answer stays the same with the ranges of the study's parameters, and of the effects' "
-           "strengths, halved and doubled.";
-  return "The answer depends on the prior ranges: " + text + ".";
+      changes += fmt::format("{}with {} “{}” would come first", changes.empty() ? "" : "; ", v.what,
+                             title_of(input, v.answer));
+  }
+  if (changes.empty())
+    return fmt::format("Other prior widths ({}) leave the same explanation in front.", listed(all));
+  return "The answer depends on the width of the priors: " + changes + ".";
 }
 
 }  // namespace cpt::reports::diagnosed

@@ -23,7 +23,7 @@ std::string place_of(const DiagnosisInput& input, const diagnosis::Mismatch& m) 
 
 std::string value_of(const StudyParameter& parameter, double place) {
   if (parameter.choices.size() == 2) return parameter.choices[place < 0.5 ? 0 : 1];
-  return number(study_value(parameter, place), 3);
+  return brief(study_value(parameter, place));
 }
 
 std::string move_of(const DiagnosisInput& input, std::size_t j) {
@@ -42,12 +42,12 @@ std::string where_it_differs(const DiagnosisInput& input) {
     return fmt::format(
         "At no depth does the recording depart from the simulation by more than the study's parameters and "
         "the noise allow (greatest step statistic {}, threshold {}, {}).",
-        number(location.greatest, 3), number(location.threshold, 3), p_value(location.p));
+        brief(location.greatest), brief(location.threshold), p_value(location.p));
   std::string text;
   for (std::size_t i = 0; i < std::min(location.mismatches.size(), most_told); ++i) {
     const diagnosis::Mismatch& m = location.mismatches[i];
     text += fmt::format("{}{} the recording is {} ({} kPa) {} the simulation, {}{}.", i > 0 ? " " : "",
-                        place_of(input, m), percent(std::abs(m.percent)), number(std::abs(m.step) / 1e3, 3),
+                        place_of(input, m), percent(std::abs(m.percent)), brief(std::abs(m.step) / 1e3),
                         m.size < 0.0 ? "below" : "above", p_value(m.p),
                         i == 0 ? ", after allowing for the study's parameters" : "");
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "reports/text.hpp"
 
@@ -23,6 +24,14 @@ std::string probability(double value) {
   return decimals(value, value < 0.01 || value > 0.99 ? 3 : 2);
 }
 
+std::string brief(double value) {
+  std::string text = number(value, 3);
+  if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
+  while (text.ends_with('0')) text.pop_back();
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
 std::string metres(double depth) {
   std::string text = decimals(depth, 3);
   while (text.ends_with('0') && !text.ends_with(".0")) text.pop_back();
@@ -30,7 +39,7 @@ std::string metres(double depth) {
 }
 
 std::string with_deviation(double value, double deviation, std::string_view unit) {
-  if (!std::isfinite(deviation) || deviation <= 0.0) return number(value, 3) + unit_after(unit);
+  if (!std::isfinite(deviation) || deviation <= 0.0) return brief(value) + unit_after(unit);
   const double power = std::floor(std::log10(deviation));
   const bool leads_with_one = deviation < 2.0 * std::pow(10.0, power);
   const int places = std::clamp(static_cast<int>(-power) + (leads_with_one ? 1 : 0), 0, 9);
@@ -63,7 +72,12 @@ std::string markdown(std::string_view text) {
     if (std::string_view("\\`*_[]#!{}~$").find(c) != std::string_view::npos) safe += '\\';
     safe += c == '\n' || c == '\r' ? ' ' : c;
   }
-  return escape(safe);
+  safe = escape(safe);
+  // Quotes matter in attributes only, and there are none.
+  for (const auto& [entity, plain_text] : {std::pair{"&#39;", "'"}, std::pair{"&quot;", "\""}})
+    for (std::size_t at = 0; (at = safe.find(entity, at)) != std::string::npos; ++at)
+      safe.replace(at, std::string_view(entity).size(), plain_text);
+  return safe;
 }
 
 std::string markdown_symbol(std::string_view symbol) {

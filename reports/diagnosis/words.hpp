@@ -19,6 +19,8 @@ namespace cpt::reports::diagnosed {
 [[nodiscard]] std::string metres(double depth);
 /// "14 ± 3 %": as many decimals as the deviation's first digit needs, two digits where that is a 1.
 [[nodiscard]] std::string with_deviation(double value, double deviation, std::string_view unit);
+/// Three significant digits without idle zeros: "40", "0.05", "12.5".
+[[nodiscard]] std::string brief(double value);
 /// " kPa"; nothing for "-".
 [[nodiscard]] std::string unit_after(std::string_view unit);
 /// First letter (of ASCII) made a capital.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "diagnosis/quadrature.hpp"
+#include "reports/diagnosis/errors.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
@@ -118,10 +119,10 @@ DiagnosisInput named_case(int soundings) {
       diagnosis::ShrunkCovariance{4e-4 * MatrixXd::Identity(n, n), {diagnosis::Kernel::ar1, 0.02, 0.02}, 0.4};
   d.recalibrated.place = vector({0.7, 0.55, 0.0});
   d.recalibrated.deviation = vector({0.12, 0.2, 0.3});
-  d.recalibrated.rmse = std::log(1.21);
+  d.recalibrated.rmse = rmse(input.recorded, d.recalibrated.curve);
   d.with_best.place = vector({0.52, 0.5, 0.0});
   d.with_best.deviation = vector({0.1, 0.2, 0.3});
-  d.with_best.rmse = std::log(1.03);
+  d.with_best.rmse = rmse(input.recorded, d.with_best.curve);
   d.null_check = {95.0, 0.001, 40.0, 0.001, 0.002};
   d.location = {11.3, 42.0, 0.000999, {{0, 0.03, 0.1125, std::log(1.38), 38.0, 410e3, 42.0, 0.000999}}};
   d.hypotheses = {{"surface_compaction", 1.0 / 6.0, 71.4, 0.93},
@@ -152,7 +153,9 @@ DiagnosisInput nothing_missing_case() {
   DiagnosisInput input = named_case();
   diagnosis::Diagnosis& d = input.diagnosis;
   input.recorded = d.recalibrated.curve;
-  d.recalibrated.rmse = std::log(1.03);
+  for (Index i = 0; i < input.recorded.size(); ++i)
+    input.recorded(i) += ripple(d.cells[static_cast<std::size_t>(i)].depth);
+  d.recalibrated.rmse = rmse(input.recorded, d.recalibrated.curve);
   d.location = {11.3, 6.4, 0.34, {}};
   d.hypotheses[0].probability = 0.05;
   d.hypotheses[3].probability = 0.87;
@@ -161,7 +164,8 @@ DiagnosisInput nothing_missing_case() {
   d.gate = d.null_check;
   d.set = {3, 4};
   d.held_out = diagnosis::HeldOutGain{0.04, 0.04, -0.4, -0.01, -0.05, 0.02};
-  for (Sounding& s : input.soundings) s.solver.reset();
+  input.soundings[0].recorded = curve([](double z) { return 0.06 + ripple(z); }, 600);
+  input.soundings[0].solver.reset();
   return input;
 }
 
