@@ -21,14 +21,15 @@ struct Range {
   Value least, largest;
   std::string least_run, largest_run;  // Markdown
   std::string partial;                 // realizations that are missing from it
+  bool waiting = false;                // some of them are still to run
 };
 
 /// Of all completed realizations, with or without the upper bound of one parameter.
 Range range(const StudyView& study, std::string_view window, std::string_view without = {}) {
-  if (const Value base = study.baseline(window); !base) return {base, base, {}, {}, {}};
+  if (const Value base = study.baseline(window); !base) return {base, base, {}, {}, {}, false};
   const results::Snapshot& s = *study.snapshot();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Range range{{infinity, {}}, {-infinity, {}}, {}, {}, {}};
+  Range range{{infinity, {}}, {-infinity, {}}, {}, {}, {}, false};
   int found = 0, missing = 0;
   for (const results::RealizationRow& run : s.realizations) {
     if (!without.empty() && run.parameter == without && run.side == "upper") continue;
@@ -37,6 +38,7 @@ Range range(const StudyView& study, std::string_view window, std::string_view wi
     });
     if (mean == s.window_means.end()) {
       ++missing;
+      range.waiting = range.waiting || run.waiting();
       continue;
     }
     ++found;
@@ -56,6 +58,7 @@ void add_range(std::vector<Finding>& findings, std::string_view row, const std::
                                     low ? range.least : range.largest);
     if (finding.verdict == Verdict::differs)
       finding.detail = "belongs to " + (low ? range.least_run : range.largest_run);
+    if (range.waiting) finding.verdict = Verdict::not_run;  // the next one may change it
     if (!range.partial.empty()) finding.detail += (finding.detail.empty() ? "" : "; ") + range.partial;
     findings.push_back(std::move(finding));
   }
@@ -102,6 +105,7 @@ Finding several_above(const StudyView& study) {
   finding.ours = fmt::format("{}", count);
   finding.check = "more than one";
   finding.verdict = count > 1 ? Verdict::holds : Verdict::differs;
+  if (count <= 1 && !known.missing.empty()) finding.verdict = Verdict::not_run;  // the next one may change it
   return finding;
 }
 
