@@ -20,6 +20,7 @@
 #include "diagnosis/fitted.hpp"
 #include "diagnosis/read_request.hpp"
 #include "parameters/designs/one_at_a_time.hpp"
+#include "reports/diagnosis/answer.hpp"
 #include "reports/diagnosis/write_diagnosis_report.hpp"
 #include "results/ledger.hpp"
 
@@ -68,12 +69,18 @@ recordings::Recording read_recording(const SoundingRequest& sounding) {
 
 std::vector<SoundingData> soundings_of(const Asked& asked) {
   std::vector<SoundingData> soundings;
-  for (const SoundingRequest& sounding : asked.request.soundings)
+  for (const SoundingRequest& sounding : asked.request.soundings) {
     soundings.push_back({sounding,
                          sounding_study(asked.study, sounding, asked.request.mechanisms,
                                         asked.request.repeats, asked.request.joint),
                          read_recording(sounding),
                          {}});
+    try {
+      check_recording(sounding, soundings.back().recording, asked.request.cell_height);
+    } catch (const std::invalid_argument& problem) {
+      throw BadInput(problem.what());
+    }
+  }
   return soundings;
 }
 
@@ -112,26 +119,6 @@ class Runner {
   bool ranks_lost_ = false;
 };
 
-void print_answer(const Assembled& assembled, const Diagnosis& diagnosis) {
-  for (const std::string& remark : assembled.remarks) fmt::print("note: {}\n", remark);
-  for (const Mismatch& m : diagnosis.location.mismatches)
-    fmt::print("between {:.3f} and {:.3f} m the recording is {:.0f} % ({:.0f} kPa) {} the simulation, p {}\n",
-               m.from, m.to, std::abs(m.percent), std::abs(m.step) / 1e3, m.percent > 0.0 ? "above" : "below",
-               m.p < 0.001 ? "< 0.001" : fmt::format("= {:.3f}", m.p));
-  if (diagnosis.location.mismatches.empty())
-    fmt::print("no depth interval differs by more than the study's parameters and the noise allow\n");
-  fmt::print("answer: {}\n", answer_name(diagnosis));
-  for (const Hypothesis& h : diagnosis.hypotheses)
-    if (h.probability > 0.005) fmt::print("  {:<24} {:.2f}\n", h.name, h.probability);
-  for (const FittedParameter& f : fitted_parameters(diagnosis, assembled.problem))
-    if (diagnosis.best && f.mechanism == diagnosis.hypotheses[*diagnosis.best].name)
-      fmt::print("  {} = {:.3g} +- {:.2g} {}\n", f.quantity, f.value, f.deviation, f.unit);
-  if (diagnosis.held_out)
-    fmt::print("held-out error: {:.1f} % without, {:.1f} % with {}\n",
-               100.0 * std::expm1(diagnosis.held_out->rmse_null),
-               100.0 * std::expm1(diagnosis.held_out->rmse), diagnosis.hypotheses[*diagnosis.best].name);
-}
-
 void diagnose_with(Runner& runner, const Asked& asked) {
   const Request& request = asked.request;
   std::vector<SoundingData> soundings = soundings_of(asked);
@@ -149,10 +136,14 @@ void diagnose_with(Runner& runner, const Asked& asked) {
         fitted_study(request, soundings[s].study, s, assembled.mechanisms, assembled.problem, diagnosis),
         soundings[s].study.study.database));
   store_answer(request.database, request.title, diagnosis, assembled.problem);
-  print_answer(assembled, diagnosis);
-  const auto files = reports::diagnosed::write_diagnosis_report(
-      diagnosis_input(request, soundings, assembled, options, diagnosis, fitted), request.report_dir);
-  fmt::print("answer in {}\nreport: {}\n", request.database.string(), files.front().string());
+  const auto input = diagnosis_input(request, soundings, assembled, options, diagnosis, fitted);
+  const auto files = reports::diagnosed::write_diagnosis_report(input, request.report_dir);
+
+  for (const std::string& remark : assembled.remarks) fmt::print("note: {}\n", remark);
+  const reports::diagnosed::Answer answer = reports::diagnosed::answer_of(input);
+  fmt::print("{}\n", answer.headline);
+  for (const std::string& paragraph : answer.paragraphs) fmt::print("\n{}\n", paragraph);
+  fmt::print("\nanswer in {}\nreport: {}\n", request.database.string(), files.front().string());
 }
 
 int diagnose_as_master(const Arguments& arguments, campaign::Transport& transport, bool& ranks_lost) {

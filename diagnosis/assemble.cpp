@@ -63,43 +63,32 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// What makes a comparison meaningless, told in the recording's own terms.
-void check_recording(const SoundingData& data, const VectorXd& recorded, const VectorXd& simulated) {
-  const std::string& name = data.request.name;
-  std::vector<double> values, depths, ratios;
-  for (const recordings::Reading& reading : data.recording.readings) {
-    if (!std::isfinite(reading.q_c)) continue;
-    depths.push_back(reading.depth);
-    if (reading.depth >= data.request.from && reading.depth <= data.request.to) values.push_back(reading.q_c);
-  }
-  if (depths.empty()) throw std::invalid_argument(fmt::format("{}: the recording holds no q_c at all", name));
-  const auto [first, last] = std::minmax_element(depths.begin(), depths.end());
-  if (values.empty())
-    throw std::invalid_argument(
-        fmt::format("{}: no overlap in depth: the recording has q_c from {:.3f} to {:.3f} m, {:.3f} to "
-                    "{:.3f} m are asked "
-                    "for; mind the unit of the depth column and the datum",
-                    name, *first, *last, data.request.from, data.request.to));
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  if (values.size() > 1 && *least == *most)
-    throw std::invalid_argument(
-        fmt::format("{}: q_c is {:g} Pa in all {} readings: a constant column cannot be diagnosed", name,
-                    *least, values.size()));
+SoundingGrid grid_of(const SoundingRequest& sounding, double cell_height) {
+  return {sounding.from, cell_height,
+          static_cast<int>(std::floor((sounding.to - sounding.from) / cell_height + 1e-9))};
+}
+
+VectorXd recorded_cells(const recordings::Recording& recording, const SoundingGrid& grid) {
+  return log_cell_means(grid, recordings::column(recording, &recordings::Reading::depth),
+                        recordings::column(recording, &recordings::Reading::q_c));
+}
+
+// Recording against simulation.
+void check_pair(const SoundingRequest& sounding, const VectorXd& recorded, const VectorXd& simulated) {
+  std::vector<double> ratios;
   for (Index i = 0; i < recorded.size(); ++i)
     if (std::isfinite(recorded(i)) && std::isfinite(simulated(i)))
       ratios.push_back(recorded(i) - simulated(i));
   if (ratios.size() < 10)
     throw std::invalid_argument(
-        fmt::format("{}: {} of {} cells have both a recorded and a simulated q_c, and 10 are needed; the "
-                    "recording has {} "
-                    "values from {:.3f} to {:.3f} m",
-                    name, ratios.size(), recorded.size(), values.size(), data.request.from, data.request.to));
+        fmt::format("{}: {} of {} cells have both a recorded and a simulated q_c, and 10 are needed",
+                    sounding.name, ratios.size(), recorded.size()));
   const double apart = median(ratios);
   if (std::abs(apart) > std::log(100.0))
     throw std::invalid_argument(
         fmt::format("{}: the recording is {:.3g} times the simulation: mind the unit of q_c, or the "
                     "study is of another profile",
-                    name, std::exp(apart)));
+                    sounding.name, std::exp(apart)));
 }
 
 class Assembler {
@@ -120,9 +109,7 @@ class Assembler {
  private:
   void lay_grids() {
     for (const SoundingData& data : soundings_) {
-      const double height = request_.cell_height;
-      const int cells = static_cast<int>(std::floor((data.request.to - data.request.from) / height + 1e-9));
-      grids_.push_back({data.request.from, height, cells});
+      grids_.push_back(grid_of(data.request, request_.cell_height));
       curves_.emplace_back(data, grids_.back());
     }
     made_.problem.cells = cells_of(grids_);
@@ -136,10 +123,9 @@ class Assembler {
       if (!simulated)
         throw std::invalid_argument(data.request.name + ": the baseline's run failed; see the failures of " +
                                     data.study.study.database.string());
-      recorded.push_back(log_cell_means(grids_[s],
-                                        recordings::column(data.recording, &recordings::Reading::depth),
-                                        recordings::column(data.recording, &recordings::Reading::q_c)));
-      check_recording(data, recorded.back(), *simulated);
+      check_recording(data.request, data.recording, request_.cell_height);
+      recorded.push_back(recorded_cells(data.recording, grids_[s]));
+      check_pair(data.request, recorded.back(), *simulated);
       baseline.push_back(*simulated);
     }
     made_.problem.recorded = concatenate(recorded);
@@ -267,6 +253,37 @@ class Assembler {
 };
 
 }  // namespace
+
+void check_recording(const SoundingRequest& sounding, const recordings::Recording& recording,
+                     double cell_height) {
+  std::vector<double> values, depths;
+  for (const recordings::Reading& reading : recording.readings) {
+    if (!std::isfinite(reading.q_c)) continue;
+    depths.push_back(reading.depth);
+    if (reading.depth >= sounding.from && reading.depth <= sounding.to) values.push_back(reading.q_c);
+  }
+  if (depths.empty())
+    throw std::invalid_argument(fmt::format("{}: the recording holds no q_c at all", sounding.name));
+  const auto [first, last] = std::minmax_element(depths.begin(), depths.end());
+  if (values.empty())
+    throw std::invalid_argument(
+        fmt::format("{}: no overlap in depth: the recording has q_c from {:.3f} to {:.3f} m, {:.3f} to "
+                    "{:.3f} m are asked for; mind the "
+                    "unit of the depth column and the datum",
+                    sounding.name, *first, *last, sounding.from, sounding.to));
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  if (values.size() > 1 && *least == *most)
+    throw std::invalid_argument(
+        fmt::format("{}: q_c is {:g} Pa in all {} readings: a constant column cannot be diagnosed",
+                    sounding.name, *least, values.size()));
+  const VectorXd cells = recorded_cells(recording, grid_of(sounding, cell_height));
+  const auto filled = std::count_if(cells.begin(), cells.end(), [](double y) { return std::isfinite(y); });
+  if (filled < 10)
+    throw std::invalid_argument(fmt::format(
+        "{}: {} of {} cells of {:g} mm have a recorded q_c, and 10 are needed; there are {} "
+        "values from {:.3f} to {:.3f} m",
+        sounding.name, filled, cells.size(), cell_height * 1e3, values.size(), sounding.from, sounding.to));
+}
 
 Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings) {
   return Assembler(request, soundings).make();

@@ -25,8 +25,14 @@ struct Assembled {
   std::vector<std::string> remarks;         ///< what was left out and why, a sentence each
 };
 
+/// What makes a recording useless whatever the simulation: throws std::invalid_argument, with a sentence for
+/// the user, where it has no q_c, no overlap with the depths asked for, one constant value, or values in
+/// fewer than 10 cells. Worth asking before the solver runs.
+void check_recording(const SoundingRequest& sounding, const recordings::Recording& recording,
+                     double cell_height);
+
 /// Throws std::invalid_argument, with a sentence for the user, where recording and simulation do not fit
-/// together: no overlap in depth, fewer than 10 common cells, a constant column, magnitudes a hundredfold
+/// together: as check_recording, and fewer than 10 common cells, magnitudes a hundredfold
 /// apart, a baseline that failed.
 [[nodiscard]] Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings);
 

@@ -45,8 +45,8 @@ Resolved<Interval> place(const parameters::Window& window, const Database& datab
 
 RealizationInput describe_input(const parameters::Study& study, const parameters::Realization& realization) {
   return {std::string(parameters::parameter_name(study, realization)),
-          std::string(parameters::to_string(realization.side)), parameters::parameter_value(study, realization),
-          parameters::value_text(study, realization),
+          std::string(parameters::to_string(realization.side)),
+          parameters::parameter_value(study, realization), parameters::value_text(study, realization),
           settings_hash(parameters::make_setup(study, realization))};
 }
 

@@ -1,5 +1,8 @@
 #include "diagnosis/read_request.hpp"
 
+#include <fstream>
+#include <iterator>
+
 #include "request_fixture.hpp"
 
 namespace cpt::diagnosis {
@@ -68,6 +71,25 @@ TEST(ReadRequest, ErrorsSayWhereWhatAndWhatInstead) {
     EXPECT_EQ(errors.front().key, bad.key) << format(errors);
     EXPECT_NE(format(errors).find(bad.text), std::string::npos) << format(errors);
   }
+}
+
+// The request of examples/diagnosis asks for all mechanisms of sand, and its truth is one of them.
+TEST(ReadRequest, TheExampleIsSound) {
+  const std::filesystem::path folder = CPT_EXAMPLES "/diagnosis";
+  std::ifstream stream(folder / "compacted.toml");
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  auto study = parameters::read_study(study_of_request(text, folder / "compacted.toml"));
+  ASSERT_TRUE(std::holds_alternative<parameters::Study>(study));
+  const auto parsed = parse_request(text, folder / "compacted.toml", std::get<parameters::Study>(study));
+  ASSERT_TRUE(std::holds_alternative<Request>(parsed));
+  const Request& request = std::get<Request>(parsed);
+  EXPECT_GE(request.mechanisms.size(), 9U);
+  const auto recording =
+      recordings::read_recording(request.soundings[0].recording, request.soundings[0].options);
+  ASSERT_TRUE(std::holds_alternative<recordings::Recording>(recording));
+  EXPECT_GT(std::get<recordings::Recording>(recording).readings.size(), 500U);
+  EXPECT_TRUE(
+      std::holds_alternative<parameters::Study>(parameters::read_study(folder / "compacted_truth.toml")));
 }
 
 }  // namespace
