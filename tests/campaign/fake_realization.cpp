@@ -62,6 +62,23 @@ void log_start(const solver::Setup& setup) {
   ::close(descriptor);
 }
 
+// A law with soil parameters, mechanisms and a little numerical noise, for tests of the diagnosis ("law").
+solver::DepthProfile lawful_curve(const solver::Setup& setup) {
+  const solver::Mechanisms& m = setup.mechanisms;
+  const double noise = 0.004 * std::sin(1e3 * setup.numerics.point_shift + 40.0 * setup.numerics.courant);
+  solver::DepthProfile profile;
+  for (double depth = 0.02; depth < setup.penetrometer.final_depth; depth += 0.001) {
+    const double y = 1.5 * (setup.sand.D_r - 0.36) + 0.4 * (setup.contact.friction_ratio - 0.5) +
+                     0.9 * m.surface_compaction.at(depth) + m.density_lens.at(depth) -
+                     0.8 * m.wall_friction.coefficient * depth - m.cushion_transfer.loss +
+                     noise * std::cos(60.0 * depth);
+    profile.depth.push_back(depth);
+    profile.q_c.push_back(4.0e6 * std::sqrt(depth) * std::exp(y));
+    profile.f_s.push_back(1.0e4 * depth);
+  }
+  return profile;
+}
+
 solver::DepthProfile curve(const solver::Setup& setup) {
   double strength = 0.0;
   double weight = 1.0;
@@ -124,7 +141,7 @@ solver::Outcome fake(const solver::Setup& setup, solver::Observer& observer, con
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   outcome.status = solver::Status::completed;
-  outcome.profile = curve(setup);
+  outcome.profile = behaviour == "law" ? lawful_curve(setup) : curve(setup);
   if (behaviour == "not_finite") outcome.profile.q_c.back() = std::numeric_limits<double>::quiet_NaN();
   if (behaviour == "one_bit") outcome.profile.q_c.at(2) = std::nextafter(outcome.profile.q_c.at(2), 0.0);
   if (behaviour == "energy_drift") {

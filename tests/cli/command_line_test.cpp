@@ -24,7 +24,7 @@ TEST(CommandLine, HelpHasExamplesAndExitCodes) {
     expect_has(result.out, "rerun");
   }
   for (const char* command :
-       {"run", "rerun", "query", "report", "push", "paper", "element", "recording", "list"})
+       {"run", "rerun", "query", "report", "push", "paper", "element", "recording", "diagnose", "list"})
     EXPECT_EQ(run(campaign({command, "--help"})).exit_code, 0) << command;
 }
 
