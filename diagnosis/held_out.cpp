@@ -116,8 +116,9 @@ HeldOutGain held_out_gain(const VectorXd& recorded, const Prediction& null, cons
     Random random(seed, static_cast<std::uint64_t>(k));
     double sum = 0.0;
     for (Index filled = 0; filled < n;) {
-      const Index first = random.below(n - block + 1), length = std::min(block, n - filled);
-      sum += gain.segment(first, length).sum();
+      // In a circle, so that the cells at both ends count as often as the others.
+      const Index first = random.below(n), length = std::min(block, n - filled);
+      for (Index i = 0; i < length; ++i) sum += gain((first + i) % n);
       filled += length;
     }
     means(k) = sum / static_cast<double>(n);

@@ -38,7 +38,7 @@ struct HeldOutGain {
   double rmse_null, rmse;  // [ln q_c]
   double log_score;        // [-] gain of all blocks' log scores together
   double per_cell;         // [-] mean gain of the cells' own log densities (normal, of equal moments)
-  double lower, upper;     // of per_cell, 90 %, moving-block bootstrap (Kunsch 1989)
+  double lower, upper;     // of per_cell, 90 %, circular block bootstrap (Politis and Romano 1992)
 };
 
 /// `block_cells` is the bootstrap's block length, as long as a held-out block.
