@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "diagnosis/design.hpp"
 #include "results/database.hpp"
 #include "solver/mechanisms/catalogue.hpp"
 
@@ -55,9 +56,7 @@ std::vector<FittedParameter> fitted_parameters(const Diagnosis& diagnosis, const
     for (std::size_t j = 0; j < names.size() && mechanism != nullptr; ++j)
       for (const solver::MechanismParameter& parameter : mechanism->parameters) {
         if (parameter.quantity.name != names[j]) continue;
-        const auto at = [&](double place) {
-          return parameter.prior_lower + place * (parameter.prior_upper - parameter.prior_lower);
-        };
+        const auto at = [&](double place) { return prior_value(parameter, place); };
         const auto i = static_cast<Index>(j);
         fitted.push_back({evidence.name, names[j], std::string(parameter.quantity.unit), at(evidence.mean(i)),
                           evidence.deviation(i) * (parameter.prior_upper - parameter.prior_lower),

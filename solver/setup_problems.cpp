@@ -146,6 +146,11 @@ void Check::geometry() {
   if (setup_.chamber.radius <= 2.0 * penetrometer.diameter)
     add("chamber.radius_m",
         fmt::format("{} must exceed twice {}", given("chamber.radius_m"), given("penetrometer.diameter_m")));
+  const PreviousPush& previous = setup_.mechanisms.previous_push;
+  if (previous.on() && previous.spacing >= setup_.chamber.radius)
+    add("previous_push.spacing_m",
+        fmt::format("{} must be below {}: the first push leaves nothing outside the chamber",
+                    given("previous_push.spacing_m"), given("chamber.radius_m")));
   if (numerics.near_width_radius >= setup_.chamber.radius)
     add("numerics.near_width_radius_m",
         fmt::format("{} must be below {}", given("numerics.near_width_radius_m"), given("chamber.radius_m")));

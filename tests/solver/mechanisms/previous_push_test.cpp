@@ -5,6 +5,7 @@
 #include "mechanism_fixture.hpp"
 #include "solver/first_push.hpp"
 #include "solver/mesh.hpp"
+#include "solver/quantities.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -42,6 +43,15 @@ TEST(PreviousPush, OfUntouchedSoilChangesNothing) {
   EXPECT_NEAR(left.sigma_v_ratio, 1.0, 1e-3);
   for (const double ratio : left.sigma_h_ratio) EXPECT_NEAR(ratio, 1.0, 2e-3);
   for (const double change : left.void_ratio_change) EXPECT_NEAR(change, 0.0, 1e-12);
+}
+
+TEST(PreviousPush, OutsideTheChamberIsAProblem) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.06);
+  setup.chamber.radius = 0.25;  // the default spacing is 0.26 m
+  EXPECT_TRUE(problems(setup).empty());
+  setup.mechanisms.previous_push.share = 1.0;
+  ASSERT_EQ(problems(setup).size(), 1U);
+  EXPECT_EQ(problems(setup)[0].quantity, "previous_push.spacing_m");
 }
 
 TEST(PreviousPush, NearbyRaisesTheResistance) {
