@@ -21,6 +21,8 @@ void add_report(CLI::App& program, Action& action);
 void add_element(CLI::App& program, Action& action);
 void add_list(CLI::App& program, Action& action);
 void add_paper(CLI::App& program, Action& action);
+void add_conceal(CLI::App& program, Action& action);
+void add_reveal(CLI::App& program, Action& action);
 void add_diagnose(CLI::App& program, Action& action);
 void add_recording(CLI::App& program, Action& action);
 

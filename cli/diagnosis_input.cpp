@@ -15,9 +15,9 @@ page::Curve curve_of(const results::Snapshot& campaign, int id) {
   return {};
 }
 
-std::optional<page::Curve> fitted_curve(const results::Snapshot& campaign) {
+std::optional<page::Curve> fitted_curve(const results::Snapshot& campaign, const std::string& mechanism) {
   for (const results::RealizationRow& row : campaign.realizations)
-    if (row.parameter == fitted_point && row.completed()) return curve_of(campaign, row.id);
+    if (row.parameter == fitted_point(mechanism) && row.completed()) return curve_of(campaign, row.id);
   return std::nullopt;
 }
 
@@ -83,7 +83,7 @@ page::DiagnosisInput diagnosis_input(const Request& request, const std::vector<S
       sounding.recorded.q_c.push_back(reading.q_c);
     }
     sounding.baseline = curve_of(data.campaign, 1);
-    sounding.solver = fitted_curve(fitted[s]);
+    if (diagnosis.best) sounding.solver = fitted_curve(fitted[s], diagnosis.hypotheses[*diagnosis.best].name);
     input.soundings.push_back(std::move(sounding));
     provenance.files.push_back({"recording", data.request.recording.filename().string(), ""});
     for (const results::RealizationRow& row : data.campaign.realizations) {

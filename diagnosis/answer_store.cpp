@@ -17,6 +17,7 @@ DROP TABLE IF EXISTS diagnosis;
 DROP TABLE IF EXISTS hypothesis;
 DROP TABLE IF EXISTS mismatch;
 DROP TABLE IF EXISTS fitted_parameter;
+DROP TABLE IF EXISTS mechanism_pair;
 CREATE TABLE diagnosis (
   title             TEXT NOT NULL,
   answer            TEXT NOT NULL,
@@ -41,6 +42,9 @@ CREATE TABLE fitted_parameter (
   mechanism TEXT NOT NULL, quantity TEXT NOT NULL, unit TEXT NOT NULL, value REAL, deviation REAL, lower REAL, upper REAL,
   PRIMARY KEY (mechanism, quantity)
 ) WITHOUT ROWID;
+CREATE TABLE mechanism_pair (
+  position INTEGER PRIMARY KEY, first TEXT NOT NULL, second TEXT NOT NULL, log_evidence REAL
+);
 )sql";
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -123,7 +127,43 @@ void store_answer(const std::filesystem::path& file, const std::string& title, c
         .bind(f.lower)
         .bind(f.upper)
         .run();
+  position = 0;
+  for (const PairEvidence& pair : diagnosis.pairs)
+    database.prepare("INSERT INTO mechanism_pair VALUES (?, ?, ?, ?)")
+        .bind(++position)
+        .bind(pair.first)
+        .bind(pair.second)
+        .bind(pair.log_evidence)
+        .run();
   transaction.commit();
+}
+
+StoredAnswer load_answer(const std::filesystem::path& file) {
+  const results::Database database(file, results::Database::Mode::read_only);
+  StoredAnswer stored{};
+  auto main = database.prepare("SELECT answer, p_mismatch, held_out_rmse_null, held_out_rmse FROM diagnosis");
+  if (!main.step()) throw std::invalid_argument(file.string() + " holds no answer");
+  stored.answer = main.text(0);
+  stored.p_mismatch = main.number(1);
+  stored.held_out_rmse_null = main.number(2);
+  stored.held_out_rmse = main.number(3);
+  auto rows = database.prepare(
+      "SELECT name, prior, log_evidence, probability, in_set FROM hypothesis ORDER BY position");
+  while (rows.step()) {
+    stored.hypotheses.push_back({rows.text(0), rows.number(1), rows.number(2), rows.number(3)});
+    if (rows.integer(4) != 0) stored.set.push_back(rows.text(0));
+  }
+  auto found = database.prepare("SELECT sounding, from_m, to_m FROM mismatch ORDER BY position");
+  while (found.step())
+    stored.mismatches.push_back({static_cast<int>(found.integer(0)), found.number(1), found.number(2)});
+  auto fitted = database.prepare(
+      "SELECT mechanism, quantity, unit, value, deviation, lower, upper FROM fitted_parameter");
+  while (fitted.step())
+    stored.fitted.push_back({fitted.text(0), fitted.text(1), fitted.text(2), fitted.number(3),
+                             fitted.number(4), fitted.number(5), fitted.number(6)});
+  auto pair = database.prepare("SELECT first, second FROM mechanism_pair ORDER BY position LIMIT 1");
+  if (pair.step()) stored.best_pair = {pair.text(0), pair.text(1)};
+  return stored;
 }
 
 }  // namespace cpt::diagnosis

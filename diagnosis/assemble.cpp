@@ -63,11 +63,6 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-SoundingGrid grid_of(const SoundingRequest& sounding, double cell_height) {
-  return {sounding.from, cell_height,
-          static_cast<int>(std::floor((sounding.to - sounding.from) / cell_height + 1e-9))};
-}
-
 VectorXd recorded_cells(const recordings::Recording& recording, const SoundingGrid& grid) {
   return log_cell_means(grid, recordings::column(recording, &recordings::Reading::depth),
                         recordings::column(recording, &recordings::Reading::q_c));
@@ -190,19 +185,23 @@ class Assembler {
     const MatrixXd runs = points(first.design.first_joint, first.design.joint, kept);
     made_.problem.joint_residuals.resize(runs.rows(), runs.cols());
     if (runs.cols() == 0) return;
+    for (Index k = 0; k < runs.cols(); ++k)
+      made_.problem.joint_residuals.col(k) =
+          runs.col(k) - additive_at(first.design.first_joint + kept[static_cast<std::size_t>(k)]);
+  }
+
+  // What the soil's parameters of a point would make of the baseline, one by one.
+  VectorXd additive_at(std::size_t point) {
     const AdditiveModel model(made_.problem.baseline, made_.problem.parameters);
-    for (Index k = 0; k < runs.cols(); ++k) {
-      const auto& changes =
-          first.study.points[first.design.first_joint + kept[static_cast<std::size_t>(k)]].changes;
-      VectorXd t = model.baseline_place();
-      for (Index j = 0; j < t.size(); ++j)
-        for (std::size_t c = 0; c < changes.size(); ++c)
-          if (changes[c].quantity->name == model.names()[static_cast<std::size_t>(j)]) {
-            const parameters::Row& row = first.study.rows[c];
-            t(j) = (changes[c].value - row.lower) / (row.upper - row.lower);
-          }
-      made_.problem.joint_residuals.col(k) = runs.col(k) - model.predict(t);
-    }
+    VectorXd t = model.baseline_place();
+    for (const SoundingData& data : soundings_)
+      for (const parameters::Change& change : data.study.study.points[point].changes)
+        for (const parameters::Row& row : data.study.study.rows)
+          for (Index j = 0; j < t.size(); ++j)
+            if (row.quantity == change.quantity &&
+                row.quantity->name == model.names()[static_cast<std::size_t>(j)])
+              t(j) = (change.value - row.lower) / (row.upper - row.lower);
+    return model.predict(t);
   }
 
   void take_mechanisms() {
@@ -224,8 +223,20 @@ class Assembler {
         effect.design.row(k) = design.unit.row(static_cast<Index>(kept[static_cast<std::size_t>(k)]));
       effect.delta = runs.colwise() - made_.problem.baseline;
       effect.vanishes_at_zero = vanishes_at_zero(design);
+      take_joint_of(design, effect);
       made_.problem.mechanisms.push_back(std::move(effect));
       made_.mechanisms.push_back(design);
+    }
+  }
+
+  void take_joint_of(const MechanismDesign& design, MechanismEffect& effect) {
+    std::vector<std::size_t> kept;
+    effect.joint_delta = points(design.first_joint, static_cast<std::size_t>(design.joint_unit.rows()), kept);
+    effect.joint_design.resize(effect.joint_delta.cols(), design.unit.cols());
+    for (Index k = 0; k < effect.joint_delta.cols(); ++k) {
+      const std::size_t run = kept[static_cast<std::size_t>(k)];
+      effect.joint_design.row(k) = design.joint_unit.row(static_cast<Index>(run));
+      effect.joint_delta.col(k) -= additive_at(design.first_joint + run);
     }
   }
 
@@ -253,6 +264,11 @@ class Assembler {
 };
 
 }  // namespace
+
+SoundingGrid grid_of(const SoundingRequest& sounding, double cell_height) {
+  return {sounding.from, cell_height,
+          static_cast<int>(std::floor((sounding.to - sounding.from) / cell_height + 1e-9))};
+}
 
 void check_recording(const SoundingRequest& sounding, const recordings::Recording& recording,
                      double cell_height) {

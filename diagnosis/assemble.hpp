@@ -25,6 +25,9 @@ struct Assembled {
   std::vector<std::string> remarks;         ///< what was left out and why, a sentence each
 };
 
+/// Cells between the depths that are asked for.
+[[nodiscard]] SoundingGrid grid_of(const SoundingRequest& sounding, double cell_height);
+
 /// What makes a recording useless whatever the simulation: throws std::invalid_argument, with a sentence for
 /// the user, where it has no q_c, no overlap with the depths asked for, one constant value, or values in
 /// fewer than 10 cells. Worth asking before the solver runs.

@@ -19,6 +19,10 @@ void check(const MechanismEffect& effect) {
     throw std::invalid_argument(effect.name + ": fewer than 4 runs for each parameter");
   if (!(design.array() >= 0.0 && design.array() <= 1.0).all() || !effect.delta.allFinite())
     throw std::invalid_argument(effect.name + ": a design outside the unit cube, or curves with gaps");
+  const Index joint = effect.joint_delta.cols();
+  if (joint > 0 && (effect.joint_design.rows() != joint || effect.joint_design.cols() != dimensions ||
+                    effect.joint_delta.rows() != effect.delta.rows() || !effect.joint_delta.allFinite()))
+    throw std::invalid_argument(effect.name + ": joint runs that do not agree, or with gaps");
 }
 
 // Where the first coordinate is 0: a grid of three places in each of the others.
@@ -96,6 +100,16 @@ CurveEmulator::CurveEmulator(const MechanismEffect& effect, const Options& optio
     left_out_variance_ += process.variance * process.inverse.diagonal().head(runs_).cwiseInverse().mean();
   }
   error_ = low_rank_plus_diagonal(left_out_, options.error_rank);
+  if (effect.joint_delta.cols() > 0) {
+    const MatrixXd joint = scores(effect.joint_design);
+    const MatrixXd interaction =
+        low_rank_plus_diagonal(effect.joint_delta - components_ * joint, options.error_rank);
+    joint_power_ = joint.squaredNorm() / static_cast<double>(joint.cols());
+    if (joint_power_ > 0.0) {
+      left_out_share_ = error_.trace() / (error_.trace() + interaction.trace());
+      error_ += interaction;
+    }
+  }
 }
 
 bool CurveEmulator::factor(const VectorXd& lengths, double nugget, const VectorXd& values, Process& process,
@@ -171,8 +185,11 @@ VectorXd CurveEmulator::error_scale(const MatrixXd& points) const {
     const VectorXd explained = k.cwiseProduct(process.inverse * k).colwise().sum();
     variance += process.variance * (1.0 - explained.array()).cwiseMax(0.0).matrix();
   }
-  if (!(left_out_variance_ > 0.0)) return VectorXd::Zero(points.rows());
-  return variance / left_out_variance_;
+  VectorXd scale = VectorXd::Zero(points.rows());
+  if (left_out_variance_ > 0.0) scale = left_out_share_ / left_out_variance_ * variance;
+  if (left_out_share_ < 1.0)
+    scale += (1.0 - left_out_share_) / joint_power_ * scores(points).colwise().squaredNorm().transpose();
+  return scale;
 }
 
 VectorXd CurveEmulator::mean(const VectorXd& phi) const { return components_ * scores(phi.transpose()); }

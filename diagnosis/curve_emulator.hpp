@@ -19,6 +19,11 @@ struct MechanismEffect {
   MatrixXd design;                      // runs x parameters, in the unit cube
   MatrixXd delta;                       // n x runs [ln q_c] y - y_baseline
   bool vanishes_at_zero = true;         ///< delta = 0 where the first coordinate is 0
+  // With other soil parameters, to see how far the mechanism acts alike in other soil; or none.
+  MatrixXd joint_design = {};  // joint runs x parameters, in the unit cube
+  MatrixXd joint_delta = {};  // n x joint runs [ln q_c] y - what the soil's parameters alone would make of it
+  VectorXd correction =
+      {};  // n [ln q_c] what a run with fitted parameters lies above its emulation; or empty
 };
 
 class CurveEmulator {
@@ -47,10 +52,12 @@ class CurveEmulator {
   /// Mean curves are components() (n x c) times scores(points x dimensions) (c x points).
   [[nodiscard]] const MatrixXd& components() const { return components_; }
   [[nodiscard]] MatrixXd scores(const MatrixXd& points) const;
-  /// The kriging variance at each point over its mean in leave-one-out: the same shape of error everywhere,
-  /// least near the runs and at no strength.
+  /// Size of the error at each point, one shape everywhere: the kriging variance over its mean in
+  /// leave-one-out, least near the runs and at no strength; and, for the joint runs' share, the effect's
+  /// square over theirs.
   [[nodiscard]] VectorXd error_scale(const MatrixXd& points) const;
-  /// Second moment of the leave-one-out residuals, low rank plus diagonal (n x n) [ln^2].
+  /// Second moments of the leave-one-out residuals and of the joint runs' residuals, each low rank plus
+  /// diagonal, added (n x n) [ln^2].
   [[nodiscard]] const MatrixXd& error_covariance() const { return error_; }
   /// The leave-one-out residuals (n x runs).
   [[nodiscard]] const MatrixXd& left_out_residuals() const { return left_out_; }
@@ -82,6 +89,8 @@ class CurveEmulator {
   MatrixXd components_;
   std::vector<Process> processes_;
   double left_out_variance_ = 0.0;  // mean over runs, all scores together
+  double left_out_share_ = 1.0;     // of the error's trace; the rest is the joint runs'
+  double joint_power_ = 1.0;        // mean square of the joint runs' scores
   MatrixXd left_out_, error_;
 };
 

@@ -9,6 +9,8 @@ namespace {
 
 using parameters::DesignPoint;
 
+constexpr int joint_runs_of_mechanism = 3;
+
 // Point k of the additive recurrence with the generalized golden ratio (Roberts 2018): fills the unit cube
 // evenly for any number of points.
 VectorXd quasi_random(int k, Index dimensions) {
@@ -37,22 +39,26 @@ DesignPoint repeat(const solver::Setup& baseline, int k) {
            set("numerics.near_height_m", baseline.numerics.near_height * (1.0 + 0.06 * u(2)))}};
 }
 
-DesignPoint joint(const std::vector<parameters::Row>& rows, int k) {
-  const VectorXd u = quasi_random(k, static_cast<Index>(rows.size()));
-  DesignPoint point{fmt::format("joint {}", k + 1), {}};
+// Places of all the study's rows, so that a sounding where one of them is known has the others alike.
+std::vector<parameters::Change> joint_changes(const std::vector<parameters::Row>& rows, const VectorXd& place,
+                                              const std::vector<parameters::Change>& known) {
+  std::vector<parameters::Change> changes;
   for (std::size_t j = 0; j < rows.size(); ++j) {
     const parameters::Row& row = rows[j];
-    const double t = u(static_cast<Index>(j));
+    if (std::ranges::any_of(known, [&](const auto& change) { return change.quantity == row.quantity; }))
+      continue;
+    const double t = place(static_cast<Index>(j));
     double value = row.lower + t * (row.upper - row.lower);
     if (!row.quantity->choices.empty()) value = t < 0.5 ? row.lower : row.upper;
     if (row.quantity->integer) value = std::round(value);
-    point.changes.push_back({row.quantity, value});
+    changes.push_back({row.quantity, value});
   }
-  return point;
+  return changes;
 }
 
+// The mechanism's parameters alone.
 MechanismDesign design_of(const solver::Mechanism& mechanism, std::vector<DesignPoint>& points) {
-  MechanismDesign design{&mechanism, {}, {}, points.size()};
+  MechanismDesign design{&mechanism, {}, {}, points.size(), {}};
   for (std::size_t j = 0; j < mechanism.parameters.size(); ++j)
     if (mechanism.parameters[j].prior_lower < mechanism.parameters[j].prior_upper) design.varied.push_back(j);
   const auto dimensions = static_cast<Index>(design.varied.size());
@@ -64,21 +70,47 @@ MechanismDesign design_of(const solver::Mechanism& mechanism, std::vector<Design
   for (int k = 0; k < runs; ++k) {
     VectorXd u = quasi_random(k, dimensions);
     if (dimensions == 1) u(0) = one_sided ? (k + 1.0) / runs : two_sided[k];
-    DesignPoint point{fmt::format("{} {}", mechanism.name, k + 1), {}};
-    for (std::size_t j = 0; j < mechanism.parameters.size(); ++j) {
-      const solver::MechanismParameter& parameter = mechanism.parameters[j];
-      double value = parameter.prior_lower;
-      for (Index v = 0; v < dimensions; ++v)
-        if (design.varied[static_cast<std::size_t>(v)] == j) value = prior_value(parameter, u(v));
-      point.changes.push_back({&parameter.quantity, value});
-    }
     design.unit.row(k) = u.transpose();
-    points.push_back(std::move(point));
+    points.push_back({fmt::format("{} {}", mechanism.name, k + 1), mechanism_changes(design, u)});
   }
   return design;
 }
 
+// The mechanism's parameters and the soil's together. The recurrence goes on from one mechanism to the next,
+// so that each sees other soil.
+void add_joint(MechanismDesign& design, int runs, const std::vector<parameters::Row>& rows,
+               const std::vector<parameters::Change>& known, int first, std::vector<DesignPoint>& points) {
+  const auto dimensions = static_cast<Index>(design.varied.size());
+  design.first_joint = points.size();
+  design.joint_unit.resize(runs, dimensions);
+  const bool one_sided = design.mechanism->parameters.front().prior_lower == 0.0;
+  for (int k = 0; k < runs; ++k) {
+    VectorXd u = quasi_random(first + k, dimensions);
+    if (one_sided) u(0) = 0.5 * (1.0 + u(0));  // at little strength there is little to see
+    design.joint_unit.row(k) = u.transpose();
+    DesignPoint point{fmt::format("{} joint {}", design.mechanism->name, k + 1),
+                      mechanism_changes(design, u)};
+    const VectorXd place = quasi_random(first + k, static_cast<Index>(rows.size()));
+    for (const parameters::Change& change : joint_changes(rows, place, known))
+      point.changes.push_back(change);
+    points.push_back(std::move(point));
+  }
+}
+
 }  // namespace
+
+std::vector<parameters::Change> mechanism_changes(const MechanismDesign& design, const VectorXd& phi) {
+  std::vector<parameters::Change> changes;
+  const solver::Mechanism& mechanism = *design.mechanism;
+  for (std::size_t j = 0; j < mechanism.parameters.size(); ++j) {
+    const solver::MechanismParameter& parameter = mechanism.parameters[j];
+    double value = parameter.prior_lower;
+    for (std::size_t v = 0; v < design.varied.size(); ++v)
+      if (design.varied[v] == j) value = prior_value(parameter, phi(static_cast<Index>(v)));
+    changes.push_back({&parameter.quantity, value});
+  }
+  return changes;
+}
 
 double prior_value(const solver::MechanismParameter& parameter, double place) {
   return parameter.prior_lower + place * (parameter.prior_upper - parameter.prior_lower);
@@ -110,9 +142,19 @@ SoundingStudy sounding_study(const parameters::Study& study, const SoundingReque
   for (int k = 0; k < repeats; ++k) own.points.push_back(repeat(own.baseline, k));
   design.first_joint = own.points.size();
   design.joint = own.rows.empty() ? 0 : static_cast<std::size_t>(joints);
-  for (std::size_t k = 0; k < design.joint; ++k) own.points.push_back(joint(own.rows, static_cast<int>(k)));
-  for (const solver::Mechanism* mechanism : mechanisms)
+  for (std::size_t k = 0; k < design.joint; ++k)
+    own.points.push_back(
+        {fmt::format("joint {}", k + 1),
+         joint_changes(study.rows, quasi_random(static_cast<int>(k), static_cast<Index>(study.rows.size())),
+                       sounding.changes)});
+  int drawn = joints;
+  for (const solver::Mechanism* mechanism : mechanisms) {
     design.mechanisms.push_back(design_of(*mechanism, own.points));
+    if (design.joint == 0) continue;
+    add_joint(design.mechanisms.back(), joint_runs_of_mechanism, study.rows, sounding.changes, drawn,
+              own.points);
+    drawn += joint_runs_of_mechanism;
+  }
   return made;
 }
 

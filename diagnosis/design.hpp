@@ -13,6 +13,8 @@ struct MechanismDesign {
   std::vector<std::size_t> varied;  ///< of its parameters: those whose prior is a range
   MatrixXd unit;                    // runs x varied, in the unit cube
   std::size_t first_point;          ///< index into the study's points; its runs follow one another
+  MatrixXd joint_unit;              // joint runs x varied: with the soil's parameters changed too
+  std::size_t first_joint = 0;      ///< index into the study's points
 };
 
 struct Design {
@@ -31,6 +33,10 @@ struct SoundingStudy {
 [[nodiscard]] SoundingStudy sounding_study(const parameters::Study& study, const SoundingRequest& sounding,
                                            const std::vector<const solver::Mechanism*>& mechanisms,
                                            int repeats, int joint);
+
+/// The mechanism's quantities at phi, its varied parameters' places in the unit cube.
+[[nodiscard]] std::vector<parameters::Change> mechanism_changes(const MechanismDesign& design,
+                                                                const VectorXd& phi);
 
 /// Value of a mechanism's parameter [study units] at a place in the unit interval of its prior.
 [[nodiscard]] double prior_value(const solver::MechanismParameter& parameter, double place);

@@ -23,7 +23,11 @@ Problem complete(const Problem& problem, std::vector<Index>& rows) {
   for (const ParameterEffect& p : problem.parameters)
     for (const VectorXd* y : {&p.lower, &p.upper})
       if (y->size() > 0) curves.emplace_back(*y);
-  for (const MechanismEffect& m : problem.mechanisms) curves.push_back(m.delta);
+  for (const MechanismEffect& m : problem.mechanisms) {
+    curves.push_back(m.delta);
+    curves.push_back(m.joint_delta);
+    if (m.correction.size() > 0) curves.emplace_back(m.correction);
+  }
   if (problem.recorded.size() != static_cast<Index>(problem.cells.size()))
     throw std::invalid_argument("the recording has another number of cells than the grid");
   rows = complete_rows(curves);
@@ -39,19 +43,24 @@ Problem complete(const Problem& problem, std::vector<Index>& rows) {
     p.lower = kept(p.lower, rows);
     p.upper = kept(p.upper, rows);
   }
-  for (MechanismEffect& m : result.mechanisms) m.delta = kept_rows(m.delta, rows);
+  for (MechanismEffect& m : result.mechanisms) {
+    m.delta = kept_rows(m.delta, rows);
+    m.joint_delta = kept_rows(m.joint_delta, rows);
+    m.correction = kept(m.correction, rows);
+  }
   return result;
 }
 
-MatrixXd noise(const Problem& problem, const Options& options, Diagnosis& diagnosis) {
-  diagnosis.measurement = problem.measurement.value_or(NoiseModel{});
-  if (!problem.measurement)
-    diagnosis.measurement = noise_of_high_pass(problem.cells, problem.recorded, options.high_pass);
-  MatrixXd sigma = noise_covariance(problem.cells, diagnosis.measurement);
-  if (problem.repeats.cols() > 0) {
-    diagnosis.numerical = covariance_of_repeats(problem.cells, problem.repeats);
-    sigma += problem.numerical_shares * diagnosis.numerical->covariance;
-  }
+NoiseModel measurement_noise(const Problem& problem, const Options& options) {
+  return problem.measurement ? *problem.measurement
+                             : noise_of_high_pass(problem.cells, problem.recorded, options.high_pass);
+}
+
+// Noise, and the error of adding up the parameters' effects.
+MatrixXd noise(const Problem& problem, const NoiseModel& measurement,
+               const std::optional<ShrunkCovariance>& numerical) {
+  MatrixXd sigma = noise_covariance(problem.cells, measurement);
+  if (numerical) sigma += problem.numerical_shares * numerical->covariance;
   return sigma + low_rank_plus_diagonal(problem.joint_residuals);
 }
 
@@ -70,20 +79,26 @@ struct Weighing {
   VectorXd log_evidence;  // mechanisms, nothing, none of these
 };
 
-Weighing weigh(const std::vector<Cell>& cells, const NullModel& null, const VectorXd& recorded,
-               const std::vector<CurveEmulator>& emulators, const Options& options) {
-  const VectorXd residual = recorded - null.mean;
+// What a mechanism has to explain: what its own emulator is known to miss is taken off.
+VectorXd corrected(const VectorXd& curve, const MechanismEffect& effect) {
+  return effect.correction.size() > 0 ? VectorXd(curve - effect.correction) : curve;
+}
+
+Weighing weigh(const Problem& problem, const NullModel& null, const std::vector<CurveEmulator>& emulators,
+               const Options& options) {
+  const VectorXd residual = problem.recorded - null.mean;
   const Whitener M(null.covariance);
   const auto k = static_cast<Index>(emulators.size());
   Weighing weighing;
   weighing.log_evidence.resize(k + 2);
   for (Index i = 0; i < k; ++i) {
     const MechanismLikelihood likelihood(emulators[static_cast<std::size_t>(i)], M);
-    weighing.mechanisms.push_back(mechanism_evidence(likelihood, residual, options.grid));
+    weighing.mechanisms.push_back(mechanism_evidence(
+        likelihood, corrected(residual, problem.mechanisms[static_cast<std::size_t>(i)]), options.grid));
     weighing.log_evidence(i) = weighing.mechanisms.back().log_evidence;
   }
   weighing.log_evidence(k) = M.log_density(residual);
-  weighing.log_evidence(k + 1) = unknown_evidence(cells, null, residual, options.unknown);
+  weighing.log_evidence(k + 1) = unknown_evidence(problem.cells, null, residual, options.unknown);
   return weighing;
 }
 
@@ -96,9 +111,10 @@ std::size_t winner_of(const VectorXd& probability, const Options& options) {
   return static_cast<std::size_t>(best);
 }
 
-std::vector<PairEvidence> best_pairs(const std::vector<CurveEmulator>& emulators, const NullModel& null,
-                                     const VectorXd& residual, const VectorXd& log_evidence,
+std::vector<PairEvidence> best_pairs(const Problem& problem, const std::vector<CurveEmulator>& emulators,
+                                     const NullModel& null, const VectorXd& log_evidence,
                                      const Options& options) {
+  const VectorXd residual = problem.recorded - null.mean;
   std::vector<std::size_t> order(emulators.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -108,8 +124,10 @@ std::vector<PairEvidence> best_pairs(const std::vector<CurveEmulator>& emulators
   std::vector<PairEvidence> pairs;
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size(); ++j)
-      pairs.push_back(
-          pair_evidence(emulators[order[i]], emulators[order[j]], null.covariance, residual, options.grid));
+      pairs.push_back(pair_evidence(
+          emulators[order[i]], emulators[order[j]], null.covariance,
+          corrected(corrected(residual, problem.mechanisms[order[i]]), problem.mechanisms[order[j]]),
+          options.grid));
   std::stable_sort(pairs.begin(), pairs.end(), [](const PairEvidence& a, const PairEvidence& b) {
     return a.log_evidence > b.log_evidence;
   });
@@ -154,12 +172,11 @@ std::vector<PriorVariation> vary(const Problem& problem, const NullModel& null,
   };
   for (const double width : {0.5, 2.0})
     add(width < 1.0 ? "parameter ranges x 1/2" : "parameter ranges x 2",
-        weigh(problem.cells, null_model(null.parameters.widened(width), null.sigma), problem.recorded,
-              emulators, options)
+        weigh(problem, null_model(null.parameters.widened(width), null.sigma), emulators, options)
             .log_evidence);
   Options half = options;
   half.grid.strength_limit = 0.5 * options.grid.strength_limit;
-  add("strength ranges x 1/2", weigh(problem.cells, null, problem.recorded, emulators, half).log_evidence);
+  add("strength ranges x 1/2", weigh(problem, null, emulators, half).log_evidence);
   // Beyond the runs the likelihood is taken as nil: the wider prior only costs.
   VectorXd diluted = log_evidence;
   for (std::size_t k = 0; k < emulators.size(); ++k)
@@ -170,15 +187,33 @@ std::vector<PriorVariation> vary(const Problem& problem, const NullModel& null,
 
 }  // namespace
 
-Diagnosis diagnose(const Problem& given, const Options& options) {
-  Diagnosis d;
-  const Problem problem = complete(given, d.rows);
-  d.cells = problem.cells;
+Prepared prepare(const Problem& given, const Options& options) {
+  std::vector<Index> rows;
+  Problem problem = complete(given, rows);
+  const NoiseModel measurement = measurement_noise(problem, options);
+  std::optional<ShrunkCovariance> numerical;
+  if (problem.repeats.cols() > 0) numerical = covariance_of_repeats(problem.cells, problem.repeats);
+  NullModel null =
+      null_model(AdditiveModel(problem.baseline, problem.parameters), noise(problem, measurement, numerical));
+  std::vector<CurveEmulator> emulators;
+  for (const MechanismEffect& effect : problem.mechanisms) emulators.emplace_back(effect);
+  return {std::move(problem),   std::move(rows), measurement,
+          std::move(numerical), std::move(null), std::move(emulators)};
+}
 
-  // Noise and null: what scatter and the soil's parameters can do.
-  const MatrixXd sigma = noise(problem, options, d);
-  const NullModel null = null_model(AdditiveModel(problem.baseline, problem.parameters), sigma);
-  const Whitener M(null.covariance), noise_alone(sigma);
+Diagnosis diagnose(const Problem& given, const Options& options) {
+  const Prepared prepared = prepare(given, options);
+  const Problem& problem = prepared.problem;
+  const NullModel& null = prepared.null;
+  const std::vector<CurveEmulator>& emulators = prepared.emulators;
+  Diagnosis d;
+  d.rows = prepared.rows;
+  d.cells = problem.cells;
+  d.measurement = prepared.measurement;
+  d.numerical = prepared.numerical;
+
+  // Null: what scatter and the soil's parameters can do.
+  const Whitener M(null.covariance), noise_alone(null.sigma);
   const VectorXd residual = problem.recorded - null.mean;
   const MatrixXd draws = draw_null(null, options.bootstraps, options.seed);
   d.recalibrated = recalibrate(null.parameters, problem.recorded, noise_alone);
@@ -187,9 +222,7 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
   d.location = locate(d.cells, residual, M, draws, d.recalibrated.curve, options.locate);
 
   // Name.
-  std::vector<CurveEmulator> emulators;
-  for (const MechanismEffect& effect : problem.mechanisms) emulators.emplace_back(effect);
-  Weighing weighing = weigh(d.cells, null, problem.recorded, emulators, options);
+  Weighing weighing = weigh(problem, null, emulators, options);
   const VectorXd prior = prior_of(emulators.size(), options);
   const VectorXd probability = probabilities(weighing.log_evidence, prior);
   for (Index k = 0; k < prior.size(); ++k) {
@@ -200,7 +233,7 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
     d.hypotheses.push_back({name, prior(k), weighing.log_evidence(k), probability(k)});
   }
   d.mechanisms = std::move(weighing.mechanisms);
-  d.pairs = best_pairs(emulators, null, residual, weighing.log_evidence, options);
+  d.pairs = best_pairs(problem, emulators, null, weighing.log_evidence, options);
   d.winner = winner_of(probability, options);
 
   // Gate.
@@ -208,8 +241,9 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
   d.null_check = check_null(d.cells, M, residual, draws, options.locate.least_cells);
   if (d.winner == nothing) d.gate = d.null_check;
   if (d.winner < nothing)
-    d.gate = check_mechanism(d.cells, null.covariance, emulators[d.winner], d.mechanisms[d.winner], residual,
-                             draws, options.seed + 1, options.locate.least_cells);
+    d.gate = check_mechanism(d.cells, null.covariance, emulators[d.winner], d.mechanisms[d.winner],
+                             corrected(residual, problem.mechanisms[d.winner]), draws, options.seed + 1,
+                             options.locate.least_cells);
   d.answer = d.gate && d.gate->p < options.gate ? unknown : d.winner;
 
   // Isolate.
@@ -230,17 +264,23 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
     probability.head(static_cast<Index>(nothing)).maxCoeff(&best);
     d.best = static_cast<std::size_t>(best);
     const CurveEmulator& emulator = emulators[*d.best];
-    const VectorXd delta = emulator.mean(phi[*d.best]);
-    d.with_best = recalibrate(null.parameters, problem.recorded - delta, noise_alone);
-    d.with_best.curve += delta;
+    for (std::size_t k = 0; k < nothing; ++k) {
+      const VectorXd rest = corrected(problem.recorded - emulators[k].mean(phi[k]), problem.mechanisms[k]);
+      d.with.push_back(recalibrate(null.parameters, rest, noise_alone));
+      d.with.back().curve += problem.recorded - rest;
+    }
+    d.with_best = d.with[*d.best];
     const double correlation = std::max(d.measurement.length, d.numerical ? d.numerical->target.length : 0.0);
     const double length = std::max(options.held_out_length, 3.0 * correlation);
     const auto blocks = depth_blocks(d.cells, length);
-    if (blocks.size() > 1)
+    if (blocks.size() > 1) {
+      const VectorXd recorded = corrected(problem.recorded, problem.mechanisms[*d.best]);
+      Prediction with = predict_mechanism(null, emulator, recorded, blocks, options.grid);
+      with.mean += problem.recorded - recorded;
       d.held_out =
-          held_out_gain(problem.recorded, predict_null(null, problem.recorded, blocks),
-                        predict_mechanism(null, emulator, problem.recorded, blocks, options.grid),
+          held_out_gain(problem.recorded, predict_null(null, problem.recorded, blocks), with,
                         static_cast<int>(std::ceil(length / d.cells.front().height)), options.seed + 2);
+    }
   }
 
   if (options.sensitivity)

@@ -81,9 +81,23 @@ struct Diagnosis {
   std::vector<NextMeasurement> next;    ///< if the set has several mechanisms
   std::optional<std::size_t> best;      ///< the most probable mechanism, which the rest is about
   Recalibration with_best;              ///< the null recalibrated beside it; curve includes it
+  std::vector<Recalibration> with;      ///< the same for every mechanism
   std::optional<HeldOutGain> held_out;  ///< of it; none if one block would be all
   std::vector<PriorVariation> variations;
 };
+
+/// What the steps work on: the problem on its complete cells, the null model and the mechanisms' emulators.
+struct Prepared {
+  Problem problem;
+  std::vector<Index> rows;  ///< of the problem as given
+  NoiseModel measurement;
+  std::optional<ShrunkCovariance> numerical;
+  NullModel null;
+  std::vector<CurveEmulator> emulators;
+};
+
+/// Throws as diagnose.
+[[nodiscard]] Prepared prepare(const Problem& problem, const Options& options = {});
 
 /// Throws std::invalid_argument if fewer than 10 cells are complete, shapes disagree or a covariance is not
 /// positive definite. The same problem and options give the same bits.

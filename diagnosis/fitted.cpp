@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace cpt::diagnosis {
 namespace {
@@ -23,11 +25,39 @@ std::vector<Change> changes_at(const VectorXd& place, const Problem& problem,
   return changes;
 }
 
+// In all soundings end to end, on the problem's cells; nothing if a run is missing.
+std::optional<VectorXd> run_of(const std::string& point, const Request& request,
+                               const std::vector<SoundingData>& soundings,
+                               const std::vector<results::Snapshot>& fitted) {
+  std::vector<VectorXd> parts;
+  for (std::size_t s = 0; s < soundings.size(); ++s) {
+    const results::CurveRow* curve = nullptr;
+    for (const results::RealizationRow& row : fitted[s].realizations)
+      for (const results::CurveRow& candidate : fitted[s].curves)
+        if (row.parameter == point && row.completed() && candidate.realization == row.id) curve = &candidate;
+    if (curve == nullptr) return std::nullopt;
+    parts.push_back(log_cell_means(grid_of(soundings[s].request, request.cell_height), curve->profile.depth,
+                                   curve->profile.q_c));
+  }
+  return concatenate(parts);
+}
+
 }  // namespace
 
+std::string fitted_point(const std::string& mechanism) { return "fitted " + mechanism; }
+
+std::vector<std::size_t> finalists(const Diagnosis& diagnosis, int most) {
+  std::vector<std::size_t> chosen;
+  const std::size_t nothing = diagnosis.mechanisms.size();
+  if (diagnosis.answer == nothing) return chosen;
+  for (const std::size_t k : diagnosis.set)
+    if (k < nothing && static_cast<int>(chosen.size()) < most) chosen.push_back(k);
+  if (chosen.empty() && diagnosis.best && most > 0) chosen.push_back(*diagnosis.best);
+  return chosen;
+}
+
 parameters::Study fitted_study(const Request& request, const SoundingStudy& sounding, std::size_t index,
-                               const std::vector<MechanismDesign>& mechanisms, const Problem& problem,
-                               const Diagnosis& diagnosis) {
+                               const Assembled& assembled, const Diagnosis& diagnosis) {
   parameters::Study study = sounding.study;
   const std::string suffix = index == 0 ? "" : fmt::format("-{}", index + 1);
   const std::filesystem::path folder = request.database.parent_path();
@@ -36,23 +66,34 @@ parameters::Study fitted_study(const Request& request, const SoundingStudy& soun
   study.database = folder / (study.name + ".sqlite");
   study.curves = folder / (study.name + ".h5");
   study.report_dir = request.report_dir;
-  study.points = {{recalibrated_point, changes_at(diagnosis.recalibrated.place, problem, study)}};
-  if (diagnosis.best) {
-    parameters::DesignPoint fitted{fitted_point, changes_at(diagnosis.with_best.place, problem, study)};
-    const MechanismDesign& design = mechanisms[*diagnosis.best];
-    const VectorXd& mode = diagnosis.mechanisms[*diagnosis.best].mode;
-    for (std::size_t j = 0; j < design.mechanism->parameters.size(); ++j) {
-      const solver::MechanismParameter& parameter = design.mechanism->parameters[j];
-      double value = parameter.prior_lower;
-      for (std::size_t v = 0; v < design.varied.size(); ++v)
-        if (design.varied[v] == j) value = prior_value(parameter, mode(static_cast<Index>(v)));
-      fitted.changes.push_back({&parameter.quantity, value});
-    }
+  study.points.clear();
+  const auto soil_at = [&](const VectorXd& place) { return changes_at(place, assembled.problem, study); };
+  if (request.confirm > 0 && !soil_at(diagnosis.recalibrated.place).empty())
+    study.points.push_back({recalibrated_point, soil_at(diagnosis.recalibrated.place)});
+  for (const std::size_t k : finalists(diagnosis, request.confirm)) {
+    const MechanismDesign& design = assembled.mechanisms[k];
+    parameters::DesignPoint fitted{fitted_point(std::string(design.mechanism->name)),
+                                   soil_at(diagnosis.with[k].place)};
+    for (const Change& change : mechanism_changes(design, diagnosis.mechanisms[k].mode))
+      fitted.changes.push_back(change);
     study.points.push_back(std::move(fitted));
   }
-  if (study.points.front().changes.empty()) study.points.erase(study.points.begin());
   study.rows.clear();
   return study;
+}
+
+bool correct(Problem& problem, const Request& request, const std::vector<SoundingData>& soundings,
+             const std::vector<results::Snapshot>& fitted, const Diagnosis& diagnosis) {
+  bool any = false;
+  for (const std::size_t k : finalists(diagnosis, request.confirm)) {
+    MechanismEffect& effect = problem.mechanisms[k];
+    const auto run = run_of(fitted_point(effect.name), request, soundings, fitted);
+    if (!run) continue;
+    effect.correction = VectorXd::Constant(problem.recorded.size(), std::numeric_limits<double>::quiet_NaN());
+    effect.correction(diagnosis.rows) = VectorXd((*run)(diagnosis.rows)) - diagnosis.with[k].curve;
+    any = true;
+  }
+  return any;
 }
 
 }  // namespace cpt::diagnosis

@@ -1,24 +1,32 @@
-// The answer as solver runs: the study recalibrated without and with the fitted mechanism.
+// The answer as solver runs: the study recalibrated without and with the mechanisms that may be the answer.
 #pragma once
 
-#include <optional>
+#include <string>
 
-#include "diagnosis/design.hpp"
-#include "diagnosis/diagnose.hpp"
+#include "diagnosis/assemble.hpp"
 
 namespace cpt::diagnosis {
 
-/// Names of the points of a fitted study.
+/// Names of the points of a fitted study: without any mechanism, and with one.
 inline constexpr const char* recalibrated_point = "recalibrated";
-inline constexpr const char* fitted_point = "fitted";
+[[nodiscard]] std::string fitted_point(const std::string& mechanism);
+
+/// The mechanisms to run, the most probable first, at most `most`: those of the answer's set; none where the
+/// answer is that nothing is missing.
+[[nodiscard]] std::vector<std::size_t> finalists(const Diagnosis& diagnosis, int most);
 
 /// The sounding's study without its design: the baseline, the study's parameters at their best without any
-/// mechanism, and at their best beside the most probable mechanism, with that at its most probable values (no
-/// such point where there is no mechanism). Its database is the diagnosis' own, NAME.sqlite; NAME-2.sqlite
-/// for the second sounding, and so on.
+/// mechanism, and at their best beside each finalist, with that at its most probable values. With
+/// Request::confirm 0 only the baseline. Its database is the diagnosis' own, NAME.sqlite; NAME-2.sqlite for
+/// the second sounding, and so on.
 [[nodiscard]] parameters::Study fitted_study(const Request& request, const SoundingStudy& sounding,
-                                             std::size_t index,
-                                             const std::vector<MechanismDesign>& mechanisms,
-                                             const Problem& problem, const Diagnosis& diagnosis);
+                                             std::size_t index, const Assembled& assembled,
+                                             const Diagnosis& diagnosis);
+
+/// Takes what the finalists' runs lie above their emulation as the mechanisms' corrections. `fitted` holds
+/// one finished campaign a sounding, of the studies above. False if there was none to take.
+[[nodiscard]] bool correct(Problem& problem, const Request& request,
+                           const std::vector<SoundingData>& soundings,
+                           const std::vector<results::Snapshot>& fitted, const Diagnosis& diagnosis);
 
 }  // namespace cpt::diagnosis

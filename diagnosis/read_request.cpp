@@ -17,8 +17,9 @@ using namespace parameters;
 
 class RequestReader {
  public:
-  RequestReader(const Value& root, const std::filesystem::path& file, const Study& study, ErrorList& errors)
-      : root_(root), study_(study), errors_(errors) {
+  RequestReader(const Value& root, const std::filesystem::path& file, const Study& study,
+                Recordings recordings, ErrorList& errors)
+      : root_(root), study_(study), recordings_(recordings), errors_(errors) {
     request_.file = std::filesystem::absolute(file).lexically_normal();
     request_.name = request_.file.stem().string();
     request_.study = study.file;
@@ -27,9 +28,10 @@ class RequestReader {
   }
 
   Request read() {
-    static constexpr std::array<std::string_view, 6> known = {"title",     "study", "mechanisms",
-                                                              "soundings", "noise", "options"};
-    refuse_unknown_keys(root_, "", known, errors_);
+    static constexpr std::array<std::string_view, 7> known = {"title", "study",   "mechanisms", "soundings",
+                                                              "noise", "options", "cases"};
+    const bool plan = recordings_ == Recordings::to_be_made;
+    refuse_unknown_keys(root_, "", std::span(known).first(plan ? 7 : 6), errors_);
     request_.title = text_field(root_, "", "title", false, errors_).value_or(request_.name);
     (void)text_field(root_, "", "study", true, errors_);
     read_mechanisms();
@@ -121,13 +123,15 @@ class RequestReader {
   }
 
   void read_options() {
-    static constexpr std::array<std::string_view, 4> known = {"cell_mm", "repeats", "joint", "seed"};
+    static constexpr std::array<std::string_view, 5> known = {"cell_mm", "repeats", "joint", "confirm",
+                                                              "seed"};
     const Value* table = section(root_, "options", errors_);
     if (table == nullptr) return;
     refuse_unknown_keys(*table, "options", known, errors_);
     read_positive(*table, "options", "cell_mm", 0.001, request_.cell_height);
     read_count(*table, "repeats", 3, request_.repeats);
     read_count(*table, "joint", 0, request_.joint);
+    read_count(*table, "confirm", 0, request_.confirm);
     if (const auto seed = number_field(*table, "options", "seed", false, errors_))
       request_.seed = static_cast<std::uint64_t>(std::abs(*seed));
   }
@@ -149,16 +153,17 @@ class RequestReader {
   }
 
   void read_sounding(const Value& table) {
-    static constexpr std::array<std::string_view, 6> known = {"name",   "recording", "columns",
-                                                              "from_m", "to_m",      "fixed"};
-    refuse_unknown_keys(table, "soundings", known, errors_);
+    static constexpr std::array<std::string_view, 6> known = {"name",  "from_m",    "to_m",
+                                                              "fixed", "recording", "columns"};
+    const bool plan = recordings_ == Recordings::to_be_made;
+    refuse_unknown_keys(table, "soundings", std::span(known).first(plan ? 4 : 6), errors_);
     SoundingRequest sounding;
-    const auto recording = text_field(table, "soundings", "recording", true, errors_);
+    const auto recording = text_field(table, "soundings", "recording", !plan, errors_);
     const auto from = number_field(table, "soundings", "from_m", true, errors_);
     const auto to = number_field(table, "soundings", "to_m", true, errors_);
     sounding.recording = beside(recording.value_or(""));
     sounding.name =
-        text_field(table, "soundings", "name", false, errors_).value_or(sounding.recording.stem().string());
+        text_field(table, "soundings", "name", plan, errors_).value_or(sounding.recording.stem().string());
     read_columns(table, sounding);
     if (const Member* fixed = table.find("fixed")) {
       if (fixed->value.kind != Value::Kind::table)
@@ -198,20 +203,22 @@ class RequestReader {
 
   const Value& root_;
   const Study& study_;
+  Recordings recordings_;
   ErrorList& errors_;
   Request request_;
 };
 
 }  // namespace
 
-RequestOrErrors parse_request(std::string_view toml, const std::filesystem::path& file, const Study& study) {
+RequestOrErrors parse_request(std::string_view toml, const std::filesystem::path& file, const Study& study,
+                              Recordings recordings) {
   ErrorList errors(file.string());
   const auto document = parse_document(toml);
   if (const auto* syntax = std::get_if<SyntaxError>(&document)) {
     errors.add(syntax->place, "", syntax->message, "the rest of the file is checked once this is mended");
     return errors.sorted();
   }
-  Request request = RequestReader(std::get<Value>(document), file, study, errors).read();
+  Request request = RequestReader(std::get<Value>(document), file, study, recordings, errors).read();
   if (!errors.empty()) return errors.sorted();
   return request;
 }

@@ -28,10 +28,15 @@ namespace cpt::diagnosis {
 /// The request, or everything that is wrong with the file (never empty).
 using RequestOrErrors = std::variant<Request, std::vector<parameters::StudyError>>;
 
+/// Whether the soundings name their recordings, or are the plan of recordings to be made: then each has a
+/// `name` instead, and the file may have a section [cases], which is read elsewhere (concealed/plan.hpp).
+enum class Recordings { given, to_be_made };
+
 /// `study` is what the file's own key `study` names, read before (study_of_request). Never throws for what
 /// the file says.
 [[nodiscard]] RequestOrErrors parse_request(std::string_view toml, const std::filesystem::path& file,
-                                            const parameters::Study& study);
+                                            const parameters::Study& study,
+                                            Recordings recordings = Recordings::given);
 
 /// The study's path that a request names, absolute; empty if it names none or is not TOML (parse_request says
 /// why).

@@ -85,12 +85,18 @@ TEST_F(Assembling, PutsEveryRunInItsPlace) {
 }
 
 TEST_F(Assembling, LeavesOutWhatFailedAndSaysSo) {
-  const int id = soundings[0].campaign.realizations.back().id;
-  soundings[0].campaign.realizations.back().status = "did_not_converge";
+  const parameters::Study& study = soundings[0].study.study;
+  for (const parameters::Realization& realization : parameters::one_at_a_time(study))
+    for (const char* name : {"cushion_transfer 5", "cushion_transfer joint 2"})
+      if (parameters::parameter_name(study, realization) == name)
+        soundings[0].campaign.realizations[static_cast<std::size_t>(realization.id - 1)].status =
+            "did_not_converge";
   const Assembled made = assemble(request, soundings);
-  ASSERT_EQ(made.remarks.size(), 1U) << id;
+  ASSERT_EQ(made.remarks.size(), 2U);
   EXPECT_NE(made.remarks[0].find("cushion_transfer 5"), std::string::npos);
+  EXPECT_NE(made.remarks[1].find("cushion_transfer joint 2"), std::string::npos);
   EXPECT_EQ(made.problem.mechanisms[1].delta.cols(), 4);
+  EXPECT_EQ(made.problem.mechanisms[1].joint_delta.cols(), 2);
 }
 
 TEST_F(Assembling, AFailedBaselineIsAnError) {

@@ -46,6 +46,27 @@ TEST(CurveEmulator, HasNoErrorWithoutStrength) {
             1e-3 * emulator.covariance(Eigen::Vector2d(0.9, 0.97)).trace());
 }
 
+// In other soil the lens acts by half as much or half as much again: that is not in the runs at the baseline.
+TEST(CurveEmulator, OtherSoilWidensTheErrorInProportionToTheEffect) {
+  const auto cells = toy::cells();
+  MechanismEffect effect = toy::lens(cells, 40);
+  const CurveEmulator without(effect);
+  effect.joint_design = (MatrixXd(3, 2) << 0.5, 0.2, 0.8, 0.5, 0.6, 0.9).finished();
+  effect.joint_delta.resize(effect.delta.rows(), 3);
+  for (Index k = 0; k < 3; ++k)
+    effect.joint_delta.col(k) =
+        (k == 1 ? 0.5 : 1.5) * toy::lens_curve(cells, effect.joint_design(k, 0), effect.joint_design(k, 1));
+  const CurveEmulator with(effect);
+  const Eigen::Vector2d weak(0.3, 0.5), strong(0.6, 0.5);
+  EXPECT_EQ(with.mean(strong), without.mean(strong));
+  const double gained = with.covariance(strong).trace() - without.covariance(strong).trace();
+  EXPECT_GT(gained, 0.2 * 0.25 * with.mean(strong).squaredNorm());
+  EXPECT_LT(gained, 5.0 * 0.25 * with.mean(strong).squaredNorm());
+  EXPECT_NEAR((with.covariance(weak).trace() - without.covariance(weak).trace()) / gained, 0.25, 0.01);
+  effect.joint_delta.resize(3, 3);
+  EXPECT_THROW(CurveEmulator{effect}, std::invalid_argument);
+}
+
 TEST(CurveEmulator, IsTheSameOnSomeCells) {
   const auto cells = toy::cells();
   const CurveEmulator emulator(toy::lens(cells, 40));

@@ -50,6 +50,26 @@ TEST(Design, FillsThePriorOfEachMechanism) {
   }
 }
 
+TEST(Design, EachMechanismAlsoRunsInOtherSoil) {
+  const SoundingStudy plain = made(), known = made("fixed = { \"initial.sigma_v0_kPa\" = 60 }\n");
+  for (const MechanismDesign& design : plain.design.mechanisms) {
+    ASSERT_EQ(design.joint_unit.rows(), 3);
+    for (Index k = 0; k < 3; ++k) {
+      const std::size_t at = design.first_joint + static_cast<std::size_t>(k);
+      const auto& point = plain.study.points[at];
+      EXPECT_EQ(point.name, std::string(design.mechanism->name) + " joint " + std::to_string(k + 1));
+      EXPECT_EQ(point.changes.size(), design.mechanism->parameters.size() + plain.study.rows.size());
+      // Where an input is known, the others are the same as where it is not.
+      const auto& beside = known.study.points[at];
+      ASSERT_EQ(beside.changes.size(), point.changes.size() - 1);
+      for (const parameters::Change& change : beside.changes)
+        EXPECT_TRUE(std::ranges::any_of(point.changes, [&](const parameters::Change& other) {
+          return other.quantity == change.quantity && other.value == change.value;
+        })) << change.quantity->name;
+    }
+  }
+}
+
 TEST(Design, WhatIsKnownIsNoLongerUncertain) {
   const SoundingStudy plain = made(), known = made("fixed = { \"initial.sigma_v0_kPa\" = 60 }\n");
   EXPECT_EQ(plain.study.rows.size(), known.study.rows.size() + 1);

@@ -1,0 +1,30 @@
+#include "cli/plan_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "cli/study_argument.hpp"
+
+namespace cpt::cli {
+
+PlanFile read_plan_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream.is_open()) throw BadInput(fmt::format("cannot read the plan {}", file.string()));
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  PlanFile read;
+  const std::filesystem::path study_file = diagnosis::study_of_request(text, file);
+  if (!study_file.empty()) {
+    StudyFile study = read_study_file(study_file);
+    read.study = std::move(study.study);
+    read.study_text = std::move(study.text);
+  }
+  auto parsed = diagnosis::concealed::parse_plan(text, file, read.study);
+  if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
+    throw BadInput(parameters::format(*errors));
+  read.plan = std::get<diagnosis::concealed::Plan>(std::move(parsed));
+  return read;
+}
+
+}  // namespace cpt::cli

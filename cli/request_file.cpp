@@ -1,0 +1,61 @@
+#include "cli/request_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "cli/study_argument.hpp"
+#include "diagnosis/read_request.hpp"
+
+namespace cpt::cli {
+
+using namespace diagnosis;
+
+namespace {
+
+recordings::Recording read_recording(const SoundingRequest& sounding) {
+  auto read = recordings::read_recording(sounding.recording, sounding.options);
+  if (const auto* errors = std::get_if<std::vector<recordings::RecordingError>>(&read))
+    throw BadInput(recordings::format(*errors));
+  return std::get<recordings::Recording>(std::move(read));
+}
+
+}  // namespace
+
+RequestFile read_request_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream.is_open()) throw BadInput(fmt::format("cannot read the request {}", file.string()));
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::filesystem::path study_file = study_of_request(text, file);
+  RequestFile asked;
+  if (!study_file.empty()) {
+    StudyFile study = read_study_file(study_file);
+    asked.study = std::move(study.study);
+    asked.study_text = std::move(study.text);
+  }
+  auto parsed = parse_request(text, file, asked.study);
+  if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
+    throw BadInput(parameters::format(*errors));
+  asked.request = std::get<Request>(std::move(parsed));
+  return asked;
+}
+
+std::vector<SoundingData> soundings_of(const RequestFile& asked) {
+  std::vector<SoundingData> soundings;
+  for (const SoundingRequest& sounding : asked.request.soundings) {
+    soundings.push_back({sounding,
+                         sounding_study(asked.study, sounding, asked.request.mechanisms,
+                                        asked.request.repeats, asked.request.joint),
+                         read_recording(sounding),
+                         {}});
+    try {
+      check_recording(sounding, soundings.back().recording, asked.request.cell_height);
+    } catch (const std::invalid_argument& problem) {
+      throw BadInput(problem.what());
+    }
+  }
+  return soundings;
+}
+
+}  // namespace cpt::cli

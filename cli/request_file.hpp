@@ -1,0 +1,26 @@
+// Requests for a diagnosis as files: what they ask, their recordings, and the studies to run for them.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "diagnosis/assemble.hpp"
+#include "diagnosis/request.hpp"
+
+namespace cpt::cli {
+
+/// A request and its study, as written.
+struct RequestFile {
+  parameters::Study study;
+  std::string study_text;
+  diagnosis::Request request;
+};
+
+/// Throws BadInput with all that is wrong in request and study.
+[[nodiscard]] RequestFile read_request_file(const std::filesystem::path& file);
+
+/// Its soundings with their recordings and the studies to run, not yet run. Throws BadInput for recordings
+/// that cannot be read or are useless.
+[[nodiscard]] std::vector<diagnosis::SoundingData> soundings_of(const RequestFile& asked);
+
+}  // namespace cpt::cli
