@@ -14,7 +14,7 @@ namespace cpt::solver {
 
 /// Sums of a cell over its material points. Quadrant q = (xi > 0) + 2 (eta > 0) is the share of a Gauss
 /// point.
-struct CellSums {
+struct alignas(64) CellSums {
   double volume[4];  // [m3/rad] by quadrant
   double s_rr[4];    // [Pa m3/rad] volume times stress, by quadrant
   double s_zz[4];
@@ -34,14 +34,14 @@ struct Bilinear {
 
 /// What moves the points of a cell during one step.
 struct CellMotion {
-  CellShape shape;           // at the start of the step
-  Bilinear v_r, v_z;         // [m/s] nodal velocity at the end of the step
-  Bilinear dv_r, dv_z;       // [m/s] its change over the step
-  double divergence;         // [1/s] mean over the cell (B-bar)
-  double dt;                 // [s]
-  double pic_fraction;       // [-]
-  double smoothing;          // [-] share of the quadrant's mean stress given back to the points
-  double mean_stress[4][4];  // [Pa] by quadrant: rr, zz, tt, rz
+  CellShape shape;               // at the start of the step
+  Bilinear v_r, v_z;             // [m/s] nodal velocity at the end of the step
+  Bilinear dv_r, dv_z;           // [m/s] its change over the step
+  double divergence;             // [1/s] mean over the cell (B-bar)
+  double dt;                     // [s]
+  double pic_fraction;           // [-]
+  double smoothing;              // [-] share of the quadrant's mean stress given back to the points
+  const double* mean_stress[4];  // [Pa] of rr, zz, tt, rz: the mean of each quadrant
 };
 
 /// Strain increments of a bucket's points, aligned; as long as the largest bucket.

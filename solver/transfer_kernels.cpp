@@ -1,9 +1,9 @@
-// Compiled once for each instruction set with CPT_KERNELS naming the table it defines. Nothing but plain
+// Compiled once for each instruction set, with CPT_PACK_BYTES and CPT_KERNEL_NAMESPACE. Nothing but plain
 // arithmetic on arrays here: an inline library function compiled for a newer processor could be linked into
 // the rest.
 #include "solver/transfer.hpp"
 
-namespace cpt::solver {
+namespace cpt::solver::CPT_KERNEL_NAMESPACE {
 namespace {
 
 inline double select(bool condition, double a, double b) { return condition ? a : b; }
@@ -38,8 +38,8 @@ double move_points(std::int32_t count, std::size_t padded, const PointFields& po
     const double beta = motion.smoothing;
     double c[4][4];  // mean = c0 + c1 right + c2 upper + c3 right upper, without branches
     for (int i = 0; i < 4; ++i) {
-      const double m0 = motion.mean_stress[0][i], m1 = motion.mean_stress[1][i],
-                   m2 = motion.mean_stress[2][i], m3 = motion.mean_stress[3][i];
+      const double m0 = motion.mean_stress[i][0], m1 = motion.mean_stress[i][1],
+                   m2 = motion.mean_stress[i][2], m3 = motion.mean_stress[i][3];
       c[i][0] = m0, c[i][1] = m1 - m0, c[i][2] = m2 - m0, c[i][3] = (m3 - m2) - (m1 - m0);
     }
 #pragma omp simd
@@ -209,7 +209,7 @@ double sum_points(std::int32_t count, std::size_t padded, const PointFields& poi
 
 }  // namespace
 
-extern const TransferKernels CPT_KERNELS;
-const TransferKernels CPT_KERNELS = {move_points, sum_points};
+extern const TransferKernels transfer;
+const TransferKernels transfer = {move_points, sum_points};
 
-}  // namespace cpt::solver
+}  // namespace cpt::solver::CPT_KERNEL_NAMESPACE
