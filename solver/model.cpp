@@ -292,11 +292,11 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
     const Batch batch{padded,      p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,    p.e, p.p_i,
                       strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz, p.gamma_p, dt};
     modulus_[c] = std::max(modulus_[c], laws_.update(static_cast<Material>(m), batch));
-    std::int32_t left = 0;
+    bool some_left = false;
     work += kernels_.sum_points(bucket.count, padded, p, new_shape, cell, strain, static_cast<Material>(m),
-                                sums, left);
+                                sums, some_left);
     work_[c] += work;
-    if (left > 0)
+    if (some_left)
       for (std::int32_t k = bucket.count; k-- > 0;)
         if (strain.left[k] > 0.0) leavers_[thread].push_back({b, k});
   }

@@ -59,11 +59,11 @@ struct TransferKernels {
   double (*move_points)(std::int32_t count, std::size_t padded, const PointFields& points,
                         const CellMotion& motion, const StrainScratch& strain);
   /// Points to grid at the cell's new shape: natural coordinates and sums, adding to `sums`. Points that left
-  /// the cell are flagged in strain.left and not summed. Returns the work of the new stress, sum of V s : d
-  /// / 2.
+  /// the cell are flagged in strain.left and not summed; `some_left` tells whether there are any. Returns the
+  /// work of the new stress, sum of V s : d / 2.
   double (*sum_points)(std::int32_t count, std::size_t padded, const PointFields& points,
                        const CellShape& shape, const Cell& cell, const StrainScratch& strain,
-                       Material material, CellSums& sums, std::int32_t& left);
+                       Material material, CellSums& sums, bool& some_left);
 };
 
 /// The kernels for this machine's instruction set.

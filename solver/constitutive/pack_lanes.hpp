@@ -1,4 +1,4 @@
-// Packs as rows of a square: transposed, and summed lane by lane, in log2(lanes) rounds.
+// Packs as rows of a square: transposed, and summed each over its lanes.
 #pragma once
 
 #include <utility>
@@ -35,19 +35,18 @@ CPT_INLINE void transpose_blocks(Pack (&x)[lanes]) {
 /// Lane i of pack j becomes lane j of pack i.
 CPT_INLINE void transpose(Pack (&x)[lanes]) { transpose_blocks<lanes / 2>(x); }
 
-template <int s>
-CPT_INLINE void fold(Pack (&x)[lanes]) {
-  if constexpr (s > 0) {
-    for (int j = 0; j < s; ++j)
-      x[j] = join_first<s>(x[j], x[j + s], LaneIndices{}) + join_second<s>(x[j], x[j + s], LaneIndices{});
-    fold<s / 2>(x);
-  }
-}
-/// Lane j of the result is the sum of the lanes of x[j], as a tree: the upper half of the lanes is added to
-/// the lower half, and so on.
+/// Lane j of the result is the sum of the lanes of x[j], first to last.
 CPT_INLINE Pack lane_sums(Pack (&x)[lanes]) {
-  fold<lanes / 2>(x);
-  return x[0];
+  transpose(x);
+  Pack sum = x[0];
+  for (int i = 1; i < lanes; ++i) sum += x[i];
+  return sum;
+}
+/// The sum of the lanes, first to last.
+CPT_INLINE double lane_sum(Pack x) {
+  double sum = x[0];
+  for (int i = 1; i < lanes; ++i) sum += x[i];
+  return sum;
 }
 
 }  // namespace cpt::solver::CPT_KERNEL_NAMESPACE
