@@ -64,9 +64,10 @@ class MaterialPoints {
   [[nodiscard]] PointFields fields(const Bucket& bucket) const;
   /// Starts to load a bucket's state into the cache.
   static void prefetch(const Bucket& bucket) {
-    const std::ptrdiff_t used =
-        static_cast<std::ptrdiff_t>(bucket.capacity) * (field_count - 3);  // all but load, id, gamma_p
-    for (std::ptrdiff_t k = 0; k < used; k += 8) __builtin_prefetch(bucket.data + k, 1);
+    const auto padded = static_cast<std::int32_t>(bucket.padded());
+    const double* field = bucket.data;
+    for (std::int32_t f = 0; f < field_count - 3; ++f, field += bucket.capacity)  // all but load, id, gamma_p
+      for (std::int32_t k = 0; k < padded; k += 8) __builtin_prefetch(field + k, 1);
   }
   [[nodiscard]] std::int64_t size() const { return size_; }
   [[nodiscard]] std::int32_t largest_capacity() const { return largest_capacity_; }

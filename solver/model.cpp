@@ -7,9 +7,6 @@
 namespace cpt::solver {
 namespace {
 
-constexpr double gauss = 0.57735026918962576;  // 1/sqrt(3)
-constexpr double quadrant_xi[4] = {-gauss, gauss, -gauss, gauss};
-constexpr double quadrant_eta[4] = {-gauss, -gauss, gauss, gauss};
 constexpr double corner_xi[4] = {-1.0, 1.0, 1.0, -1.0};
 constexpr double corner_eta[4] = {-1.0, -1.0, 1.0, 1.0};
 
@@ -19,18 +16,6 @@ template <typename Function>
 void for_each_index(std::int32_t count, int threads, const Function& function) {
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (std::int32_t i = 0; i < count; ++i) function(i);
-}
-
-struct Extent {
-  double across;     // [m] shortest distance across the cell: its width, or its height across the steeper row
-  double unsheared;  // [m] the same with its height measured along the sides
-};
-
-Extent smallest_extent(const CellShape& s) {
-  const double left = (s.zt0 - s.zt1) - (s.zb0 - s.zb1), right = (s.zt0 + s.zt1) - (s.zb0 + s.zb1);
-  const double slope = std::max(std::abs(s.zb1), std::abs(s.zt1)) / s.a;
-  const double width = 2.0 * s.a, height = std::min(left, right);
-  return {std::min(width, height / std::sqrt(1.0 + slope * slope)), std::min(width, height)};
 }
 
 }  // namespace
@@ -60,7 +45,8 @@ Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std:
       }()),
       laws_(std::move(laws)),
       settings_(settings),
-      kernels_(transfer_kernels()) {
+      kernels_(transfer_kernels()),
+      compute_cell_forces_(cell_force_kernel()) {
   const std::size_t cells = mesh_.cells().size(), nodes = static_cast<std::size_t>(mesh_.node_count());
   sums_.resize(cells);
   forces_.resize(cells);
@@ -68,9 +54,7 @@ Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std:
   modulus_.assign(cells, 0.0);
   work_.assign(cells, 0.0);
   divergence_.assign(cells, 0.0);
-  viscous_.assign(cells, 0.0);
   filled_at_start_.assign(cells, 0);
-  mean_stress_.resize(cells);
   for (auto* field : {&nodes_.inertia, &nodes_.mass, &nodes_.v_r, &nodes_.v_z, &nodes_.dv_r, &nodes_.dv_z,
                       &nodes_.f_r, &nodes_.f_z, &p_r_, &p_z_})
     field->assign(nodes, 0.0);
@@ -138,7 +122,22 @@ void Model::sum_all_points() {
 
 void Model::compute_nodal_forces() {
   const auto cells = static_cast<std::int32_t>(sums_.size());
-  for_each_index(cells, settings_.threads, [this](std::int32_t c) { compute_cell_forces(c); });
+  const CellForceSettings settings = {
+      settings_.courant,
+      settings_.mass_scaling,
+      settings_.bulk_viscosity,
+      settings_.gravity,
+      {settings_.face_inertia[0], settings_.face_inertia[1], settings_.face_inertia[2]},
+      {settings_.weight_ratio[0], settings_.weight_ratio[1], settings_.weight_ratio[2]},
+      settings_.partial_cells};
+  const CellArrays arrays = {sums_.data(), shapes_.data(), modulus_.data(), divergence_.data(),
+                             forces_.data()};
+  for_each_index((cells + cells_at_once - 1) / cells_at_once, settings_.threads, [&](std::int32_t block) {
+    const std::int32_t first = block * cells_at_once, end = std::min(first + cells_at_once, cells);
+    compute_cell_forces_(settings, arrays, first, end);
+    if (settings_.partial_cells)
+      for (std::int32_t c = first; c < end; ++c) add_surface_loads(c, forces_[c]);
+  });
   for_each_index(mesh_.node_count(), settings_.threads, [this](std::int32_t n) { assemble_node(n); });
   condense_hanging_nodes();
   for_each_index(mesh_.node_count(), settings_.threads, [this](std::int32_t n) {
@@ -148,98 +147,6 @@ void Model::compute_nodal_forces() {
   });
   time_step_ = INFINITY;
   for (const CellForces& f : forces_) time_step_ = std::min(time_step_, f.time_step);
-}
-
-// Gauss integration with quadrant averages of the material points' stresses (mixed integration, Al-Kafaji
-// 2013; Martinelli & Galavi 2022) and B-bar in its mean-dilatation form (Hughes 2000, sec. 4.5): unlike the
-// value at the centre, the cell's mean passes the patch test on sheared axisymmetric cells.
-void Model::compute_cell_forces(std::int32_t c) {
-  const CellSums& sums = sums_[c];
-  CellForces& out = forces_[c];
-  const CellShape& s = shapes_[c];
-  out = CellForces{};
-  out.time_step = INFINITY;
-  const double volume = sums.volume[0] + sums.volume[1] + sums.volume[2] + sums.volume[3];
-  double integral_N[4] = {}, mean_pressure_volume = 0.0, cell_volume = 0.0;
-
-  double cell_mean[4] = {};
-  if (volume > 0.0) {
-    const double inverse = 1.0 / volume;
-    for (int q = 0; q < 4; ++q) {
-      cell_mean[0] += sums.s_rr[q] * inverse;
-      cell_mean[1] += sums.s_zz[q] * inverse;
-      cell_mean[2] += sums.s_tt[q] * inverse;
-      cell_mean[3] += sums.s_rz[q] * inverse;
-    }
-  }
-
-  for (int q = 0; q < 4; ++q) {
-    // A quadrant without points takes the cell's mean.
-    double stress[4];
-    if (sums.volume[q] > 0.0) {
-      const double inverse = 1.0 / sums.volume[q];
-      stress[0] = sums.s_rr[q] * inverse;
-      stress[1] = sums.s_zz[q] * inverse;
-      stress[2] = sums.s_tt[q] * inverse;
-      stress[3] = sums.s_rz[q] * inverse;
-    } else {
-      std::copy_n(cell_mean, 4, stress);
-    }
-    std::copy_n(stress, 4, mean_stress_[c][q].begin());
-
-    const double xi = quadrant_xi[q], eta = quadrant_eta[q];
-    const double z_eta = 0.5 * ((s.zt0 - s.zb0) + (s.zt1 - s.zb1) * xi);
-    const double z_xi = 0.5 * ((s.zb1 + s.zt1) + (s.zt1 - s.zb1) * eta);
-    const double r = s.r_c + s.a * xi;
-    const double V = r * s.a * z_eta;  // [m3/rad] of the Gauss point
-    const double p = (stress[0] + stress[1] + stress[2]) / 3.0;
-    const double d_rr = stress[0] - p, d_zz = stress[1] - p, d_tt = stress[2] - p, d_rz = stress[3];
-    cell_volume += V;
-    mean_pressure_volume += V * p;
-    for (int k = 0; k < 4; ++k) {
-      const double N = 0.25 * (1.0 + corner_xi[k] * xi) * (1.0 + corner_eta[k] * eta);
-      const double N_xi = 0.25 * corner_xi[k] * (1.0 + corner_eta[k] * eta);
-      const double N_eta = 0.25 * corner_eta[k] * (1.0 + corner_xi[k] * xi);
-      const double N_z = N_eta / z_eta;
-      const double N_r = (N_xi - N_z * z_xi) / s.a;
-      out.f_r[k] -= V * (d_rr * N_r + d_rz * N_z + d_tt * N / r);
-      out.f_z[k] -= V * (d_zz * N_z + d_rz * N_r);
-      out.mean_r[k] += V * (N_r + N / r);
-      out.mean_z[k] += V * N_z;
-      integral_N[k] += V * N;
-    }
-  }
-
-  double p = mean_pressure_volume / cell_volume;
-  double mass = 0.0, weight = 0.0, largest_factor = INFINITY;
-  for (int m = 0; m < material_count; ++m) {
-    if (sums.material_mass[m] > 0.0) largest_factor = std::min(largest_factor, settings_.face_inertia[m]);
-    mass += sums.material_mass[m];
-    weight += sums.material_mass[m] * settings_.weight_ratio[m] * settings_.gravity;
-  }
-  const double density = volume > 0.0 ? mass / volume : 0.0,
-               unit_weight = volume > 0.0 ? weight / volume : 0.0;
-  double inertia = density * settings_.mass_scaling;  // [kg/m3]
-  if (volume > 0.0) {
-    // Selective mass scaling (Olovsson, Simonsson & Unosson 2005) of the cells that shear makes thin.
-    const auto [extent, unsheared] = smallest_extent(s);
-    inertia *= std::min(largest_factor, unsheared * unsheared / (extent * extent));
-    // Linear bulk viscosity (Landshoff 1955), as explicit codes have it against the ringing of pressure
-    // waves; it follows the last step's rate of dilatation.
-    const double wave_speed = std::sqrt(modulus_[c] / inertia), b = settings_.bulk_viscosity;
-    viscous_[c] = b * inertia * wave_speed * extent * divergence_[c];
-    p += viscous_[c];
-    out.time_step = settings_.courant * extent / wave_speed * (std::sqrt(1.0 + b * b) - b);
-  }
-  const double fill = settings_.partial_cells ? std::min(1.0, volume / cell_volume) : 1.0;
-  for (int k = 0; k < 4; ++k) {
-    out.f_r[k] = fill * (out.f_r[k] - p * out.mean_r[k]);
-    out.f_z[k] = fill * (out.f_z[k] - p * out.mean_z[k] - unit_weight * integral_N[k]);
-    out.inertia[k] = fill * inertia * integral_N[k];
-    out.mean_r[k] /= cell_volume;
-    out.mean_z[k] /= cell_volume;
-  }
-  if (settings_.partial_cells) add_surface_loads(c, out);
 }
 
 // A traction at the soil's top rides on the topmost material points.
@@ -362,10 +269,13 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
     motion.divergence +=
         forces.mean_r[k] * nodes_.v_r[cell.node[k]] + forces.mean_z[k] * nodes_.v_z[cell.node[k]];
   divergence_[c] = motion.divergence;
-  work_[c] += viscous_[c] * motion.divergence * dt * volume;
+  work_[c] += forces.viscous * motion.divergence * dt * volume;
   motion.dt = dt;
   motion.pic_fraction = settings_.pic_fraction;
-  for (int q = 0; q < 4; ++q) std::copy_n(mean_stress_[c][q].begin(), 4, motion.mean_stress[q]);
+  motion.mean_stress[0] = forces.s_rr;
+  motion.mean_stress[1] = forces.s_zz;
+  motion.mean_stress[2] = forces.s_tt;
+  motion.mean_stress[3] = forces.s_rz;
 
   const StrainScratch strain = scratch(thread);
   for (std::int32_t m = 0; m < material_count; ++m) {
@@ -382,11 +292,11 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
     const Batch batch{padded,      p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,    p.e, p.p_i,
                       strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz, p.gamma_p, dt};
     modulus_[c] = std::max(modulus_[c], laws_.update(static_cast<Material>(m), batch));
-    std::int32_t left = 0;
+    bool some_left = false;
     work += kernels_.sum_points(bucket.count, padded, p, new_shape, cell, strain, static_cast<Material>(m),
-                                sums, left);
+                                sums, some_left);
     work_[c] += work;
-    if (left > 0)
+    if (some_left)
       for (std::int32_t k = bucket.count; k-- > 0;)
         if (strain.left[k] > 0.0) leavers_[thread].push_back({b, k});
   }

@@ -3,11 +3,11 @@
 // `move_points`.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "solver/cell_forces.hpp"
 #include "solver/constitutive/linear_elastic.hpp"
 #include "solver/constitutive/norsand.hpp"
 #include "solver/constitutive/tresca.hpp"
@@ -87,16 +87,10 @@ class Model {
   [[nodiscard]] double internal_work() const;
 
  private:
-  struct CellForces {
-    double f_r[4], f_z[4], inertia[4];
-    double mean_r[4], mean_z[4];  // [1/m] cell means of N,r + N/r and N,z
-    double time_step;
-  };
   struct Leaver {
     std::int32_t bucket, slot;
   };
 
-  void compute_cell_forces(std::int32_t c);
   void add_surface_loads(std::int32_t c, CellForces& forces) const;
   void assemble_node(std::int32_t n);
   void condense_hanging_nodes();
@@ -113,15 +107,14 @@ class Model {
   Laws laws_;
   ModelSettings settings_;
   const TransferKernels& kernels_;
+  const CellForceKernel compute_cell_forces_;
 
   std::vector<CellSums> sums_;
   std::vector<CellForces> forces_;
   std::vector<CellShape> shapes_;
-  std::vector<double> modulus_;                                    // [Pa] largest P-wave modulus in a cell
-  std::vector<double> work_;                                       // [J/rad] by cell
-  std::vector<double> divergence_;                                 // [1/s] mean of a cell in the last step
-  std::vector<double> viscous_;                                    // [Pa] pressure of the bulk viscosity
-  std::vector<std::array<std::array<double, 4>, 4>> mean_stress_;  // [Pa] by cell and quadrant
+  std::vector<double> modulus_;     // [Pa] largest P-wave modulus in a cell
+  std::vector<double> work_;        // [J/rad] by cell
+  std::vector<double> divergence_;  // [1/s] mean of a cell in the last step
   std::vector<char> filled_at_start_;
   Nodes nodes_;
   std::vector<double> p_r_, p_z_;  // [kg m/s/rad] nodal momentum of the points

@@ -4,18 +4,24 @@
 
 namespace cpt::solver {
 
-extern const TransferKernels transfer_kernels_baseline;
+namespace kernels_for_baseline {
+extern const TransferKernels transfer;
+}
 #if defined(__x86_64__)
-extern const TransferKernels transfer_kernels_avx2;
-extern const TransferKernels transfer_kernels_avx512;
+namespace kernels_for_avx2 {
+extern const TransferKernels transfer;
+}
+namespace kernels_for_avx512 {
+extern const TransferKernels transfer;
+}
 #endif
 
 const TransferKernels& transfer_kernels() {
 #if defined(__x86_64__)
-  if (instruction_set() == InstructionSet::avx512) return transfer_kernels_avx512;
-  if (instruction_set() == InstructionSet::avx2) return transfer_kernels_avx2;
+  if (instruction_set() == InstructionSet::avx512) return kernels_for_avx512::transfer;
+  if (instruction_set() == InstructionSet::avx2) return kernels_for_avx2::transfer;
 #endif
-  return transfer_kernels_baseline;
+  return kernels_for_baseline::transfer;
 }
 
 void add_to_sums(CellSums& sums, const PointFields& points, std::size_t k, Material material) {

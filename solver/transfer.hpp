@@ -14,7 +14,7 @@ namespace cpt::solver {
 
 /// Sums of a cell over its material points. Quadrant q = (xi > 0) + 2 (eta > 0) is the share of a Gauss
 /// point.
-struct CellSums {
+struct alignas(64) CellSums {
   double volume[4];  // [m3/rad] by quadrant
   double s_rr[4];    // [Pa m3/rad] volume times stress, by quadrant
   double s_zz[4];
@@ -34,14 +34,14 @@ struct Bilinear {
 
 /// What moves the points of a cell during one step.
 struct CellMotion {
-  CellShape shape;           // at the start of the step
-  Bilinear v_r, v_z;         // [m/s] nodal velocity at the end of the step
-  Bilinear dv_r, dv_z;       // [m/s] its change over the step
-  double divergence;         // [1/s] mean over the cell (B-bar)
-  double dt;                 // [s]
-  double pic_fraction;       // [-]
-  double smoothing;          // [-] share of the quadrant's mean stress given back to the points
-  double mean_stress[4][4];  // [Pa] by quadrant: rr, zz, tt, rz
+  CellShape shape;               // at the start of the step
+  Bilinear v_r, v_z;             // [m/s] nodal velocity at the end of the step
+  Bilinear dv_r, dv_z;           // [m/s] its change over the step
+  double divergence;             // [1/s] mean over the cell (B-bar)
+  double dt;                     // [s]
+  double pic_fraction;           // [-]
+  double smoothing;              // [-] share of the quadrant's mean stress given back to the points
+  const double* mean_stress[4];  // [Pa] of rr, zz, tt, rz: the mean of each quadrant
 };
 
 /// Strain increments of a bucket's points, aligned; as long as the largest bucket.
@@ -59,11 +59,11 @@ struct TransferKernels {
   double (*move_points)(std::int32_t count, std::size_t padded, const PointFields& points,
                         const CellMotion& motion, const StrainScratch& strain);
   /// Points to grid at the cell's new shape: natural coordinates and sums, adding to `sums`. Points that left
-  /// the cell are flagged in strain.left and not summed. Returns the work of the new stress, sum of V s : d
-  /// / 2.
+  /// the cell are flagged in strain.left and not summed; `some_left` tells whether there are any. Returns the
+  /// work of the new stress, sum of V s : d / 2.
   double (*sum_points)(std::int32_t count, std::size_t padded, const PointFields& points,
                        const CellShape& shape, const Cell& cell, const StrainScratch& strain,
-                       Material material, CellSums& sums, std::int32_t& left);
+                       Material material, CellSums& sums, bool& some_left);
 };
 
 /// The kernels for this machine's instruction set.

@@ -1,215 +1,243 @@
-// Compiled once for each instruction set with CPT_KERNELS naming the table it defines. Nothing but plain
+// Compiled once for each instruction set, with CPT_PACK_BYTES and CPT_KERNEL_NAMESPACE. Nothing but plain
 // arithmetic on arrays here: an inline library function compiled for a newer processor could be linked into
 // the rest.
+#include <cstddef>
+
+#include "solver/constitutive/pack_lanes.hpp"
 #include "solver/transfer.hpp"
 
-namespace cpt::solver {
+namespace cpt::solver::CPT_KERNEL_NAMESPACE {
 namespace {
 
-inline double select(bool condition, double a, double b) { return condition ? a : b; }
+/// Lanes at `k` that hold a point.
+CPT_INLINE Mask used_lanes(std::size_t k, std::int32_t count) {
+  Pack number = splat(0.0);
+  for (int l = 0; l < lanes; ++l) number[l] = l;
+  return less(number, splat(static_cast<double>(count) - static_cast<double>(k)));
+}
 
-double move_points(std::int32_t count, std::size_t padded, const PointFields& points,
-                   const CellMotion& motion, const StrainScratch& strain) {
-  double* __restrict__ r = points.r;
-  double* __restrict__ z = points.z;
-  double* __restrict__ v_r = points.v_r;
-  double* __restrict__ v_z = points.v_z;
-  double* __restrict__ s_rr = points.s_rr;
-  double* __restrict__ s_zz = points.s_zz;
-  double* __restrict__ s_tt = points.s_tt;
-  double* __restrict__ s_rz = points.s_rz;
-  double* __restrict__ volume = points.volume;
-  const double* __restrict__ xi = points.xi;
-  const double* __restrict__ eta = points.eta;
-  double* __restrict__ d_rr = strain.d_rr;
-  double* __restrict__ d_zz = strain.d_zz;
-  double* __restrict__ d_tt = strain.d_tt;
-  double* __restrict__ d_rz = strain.d_rz;
+CPT_INLINE Pack limited(Pack x) {
+  const Pack low = select(greater(x, splat(-1.0)), x, splat(-1.0));
+  return select(less(low, splat(1.0)), low, splat(1.0));
+}
 
+// A quantity of the four quadrants: c0 + c1 right + c2 upper + c3 right upper, with `right` and `upper` 0 or
+// 1; without branches.
+struct QuadrantMeans {
+  double c0, c1, c2, c3;
+};
+
+CPT_INLINE QuadrantMeans quadrant_means(const double* m) {
+  return {m[0], m[1] - m[0], m[2] - m[0], (m[3] - m[2]) - (m[1] - m[0])};
+}
+
+CPT_INLINE Pack smoothed(Pack stress, const QuadrantMeans& m, double beta, Pack right, Pack upper,
+                         Pack both) {
+  return stress + beta * (m.c0 + m.c1 * right + m.c2 * upper + m.c3 * both - stress);
+}
+
+template <bool smooth>
+CPT_INLINE double move(std::int32_t count, std::size_t padded, const PointFields& points,
+                       const CellMotion& motion, const StrainScratch& strain) {
   const CellShape& shape = motion.shape;
   const double inverse_a = 1.0 / shape.a;
   const double dt = motion.dt, pic = motion.pic_fraction, divergence = motion.divergence;
   const double *R = motion.v_r.c, *Z = motion.v_z.c, *dR = motion.dv_r.c, *dZ = motion.dv_z.c;
   const double r_first = shape.r_c - shape.a, r_last = shape.r_c + shape.a;
+  const double beta = motion.smoothing;
+  const QuadrantMeans m_rr = quadrant_means(motion.mean_stress[0]),
+                      m_zz = quadrant_means(motion.mean_stress[1]),
+                      m_tt = quadrant_means(motion.mean_stress[2]),
+                      m_rz = quadrant_means(motion.mean_stress[3]);
+  const Pack zero = splat(0.0);
 
-  // Averages go back to the points (only where the caller says so): stress += beta (mean of its quadrant -
-  // stress).
-  if (motion.smoothing > 0.0) {
-    const double beta = motion.smoothing;
-    double c[4][4];  // mean = c0 + c1 right + c2 upper + c3 right upper, without branches
-    for (int i = 0; i < 4; ++i) {
-      const double m0 = motion.mean_stress[0][i], m1 = motion.mean_stress[1][i],
-                   m2 = motion.mean_stress[2][i], m3 = motion.mean_stress[3][i];
-      c[i][0] = m0, c[i][1] = m1 - m0, c[i][2] = m2 - m0, c[i][3] = (m3 - m2) - (m1 - m0);
+  Pack work = zero;
+  for (std::size_t k = 0; k < padded; k += lanes) {
+    const Pack x = load(points.xi + k), y = load(points.eta + k), xy = x * y;
+    Pack s_rr = load(points.s_rr + k), s_zz = load(points.s_zz + k), s_tt = load(points.s_tt + k),
+         s_rz = load(points.s_rz + k);
+    // Averages go back to the points (only where the caller says so): stress += beta (mean of its quadrant -
+    // stress).
+    if constexpr (smooth) {
+      const Pack right = select(greater(x, zero), splat(1.0), zero);
+      const Pack upper = select(greater(y, zero), splat(1.0), zero);
+      const Pack both = right * upper;
+      s_rr = smoothed(s_rr, m_rr, beta, right, upper, both);
+      s_zz = smoothed(s_zz, m_zz, beta, right, upper, both);
+      s_tt = smoothed(s_tt, m_tt, beta, right, upper, both);
+      s_rz = smoothed(s_rz, m_rz, beta, right, upper, both);
+      store(points.s_tt + k, s_tt);
     }
-#pragma omp simd
-    for (std::size_t k = 0; k < padded; ++k) {
-      const double right = select(xi[k] > 0.0, 1.0, 0.0), upper = select(eta[k] > 0.0, 1.0, 0.0);
-      const double both = right * upper;
-      s_rr[k] += beta * (c[0][0] + c[0][1] * right + c[0][2] * upper + c[0][3] * both - s_rr[k]);
-      s_zz[k] += beta * (c[1][0] + c[1][1] * right + c[1][2] * upper + c[1][3] * both - s_zz[k]);
-      s_tt[k] += beta * (c[2][0] + c[2][1] * right + c[2][2] * upper + c[2][3] * both - s_tt[k]);
-      s_rz[k] += beta * (c[3][0] + c[3][1] * right + c[3][2] * upper + c[3][3] * both - s_rz[k]);
-    }
-  }
 
-#pragma omp simd
-  for (std::size_t k = 0; k < padded; ++k) {
-    const double x = xi[k], y = eta[k], xy = x * y;
     // Nodal velocity and its increment at the point: FLIP, with a share of PIC.
-    const double vr = R[0] + R[1] * x + R[2] * y + R[3] * xy;
-    const double vz = Z[0] + Z[1] * x + Z[2] * y + Z[3] * xy;
-    const double flip_r = v_r[k] + (dR[0] + dR[1] * x + dR[2] * y + dR[3] * xy);
-    const double flip_z = v_z[k] + (dZ[0] + dZ[1] * x + dZ[2] * y + dZ[3] * xy);
-    v_r[k] = flip_r + pic * (vr - flip_r);
-    v_z[k] = flip_z + pic * (vz - flip_z);
+    const Pack vr = R[0] + R[1] * x + R[2] * y + R[3] * xy;
+    const Pack vz = Z[0] + Z[1] * x + Z[2] * y + Z[3] * xy;
+    const Pack flip_r = load(points.v_r + k) + (dR[0] + dR[1] * x + dR[2] * y + dR[3] * xy);
+    const Pack flip_z = load(points.v_z + k) + (dZ[0] + dZ[1] * x + dZ[2] * y + dZ[3] * xy);
+    store(points.v_r + k, flip_r + pic * (vr - flip_r));
+    store(points.v_z + k, flip_z + pic * (vz - flip_z));
 
     // Velocity gradient on the sheared cell: z_eta is half its height at xi, z_xi the slope of the row at
     // eta.
-    const double z_eta = 0.5 * ((shape.zt0 - shape.zb0) + (shape.zt1 - shape.zb1) * x);
-    const double z_xi = 0.5 * ((shape.zb1 + shape.zt1) + (shape.zt1 - shape.zb1) * y);
-    const double inverse_height = 1.0 / z_eta;
-    const double vr_z = (R[2] + R[3] * x) * inverse_height;
-    const double vz_z = (Z[2] + Z[3] * x) * inverse_height;
-    const double vr_r = ((R[1] + R[3] * y) - vr_z * z_xi) * inverse_a;
-    const double vz_r = ((Z[1] + Z[3] * y) - vz_z * z_xi) * inverse_a;
+    const Pack z_eta = 0.5 * ((shape.zt0 - shape.zb0) + (shape.zt1 - shape.zb1) * x);
+    const Pack z_xi = 0.5 * ((shape.zb1 + shape.zt1) + (shape.zt1 - shape.zb1) * y);
+    const Pack inverse_height = 1.0 / z_eta;
+    const Pack vr_z = (R[2] + R[3] * x) * inverse_height;
+    const Pack vz_z = (Z[2] + Z[3] * x) * inverse_height;
+    const Pack vr_r = ((R[1] + R[3] * y) - vr_z * z_xi) * inverse_a;
+    const Pack vz_r = ((Z[1] + Z[3] * y) - vz_z * z_xi) * inverse_a;
     // Points beyond the wall or inside the shaft are clamped to the cell, their hoop strain too.
-    double r_in = r[k];
-    r_in = select(r_in < r_first, r_first, r_in);
-    r_in = select(r_in > r_last, r_last, r_in);
-    r_in = select(r_in > 1e-12, r_in, 1e-12);
-    const double hoop = vr / r_in;
+    const Pack r = load(points.r + k);
+    Pack r_in = select(less(r, splat(r_first)), splat(r_first), r);
+    r_in = select(greater(r_in, splat(r_last)), splat(r_last), r_in);
+    r_in = select(greater(r_in, splat(1e-12)), r_in, splat(1e-12));
+    const Pack hoop = vr / r_in;
 
     // B-bar (Hughes 2000): the local volumetric rate is replaced by the cell's mean.
-    const double correction = (divergence - (vr_r + vz_z + hoop)) * (1.0 / 3.0);
-    d_rr[k] = dt * (vr_r + correction);
-    d_zz[k] = dt * (vz_z + correction);
-    d_tt[k] = dt * (hoop + correction);
-    d_rz[k] = dt * 0.5 * (vr_z + vz_r);
+    const Pack correction = (divergence - (vr_r + vz_z + hoop)) * (1.0 / 3.0);
+    const Mask used = used_lanes(k, count);
+    const Pack d_rr = select(used, dt * (vr_r + correction), zero);
+    const Pack d_zz = select(used, dt * (vz_z + correction), zero);
+    const Pack d_tt = select(used, dt * (hoop + correction), zero);
+    const Pack d_rz = select(used, dt * 0.5 * (vr_z + vz_r), zero);
+    store(strain.d_rr + k, d_rr);
+    store(strain.d_zz + k, d_zz);
+    store(strain.d_tt + k, d_tt);
+    store(strain.d_rz + k, d_rz);
 
     // Jaumann rate: the in-plane deviator turns by twice the spin; Cayley form, so that its length is kept.
-    const double w = dt * 0.5 * (vr_z - vz_r);
-    const double inverse = 1.0 / (1.0 + w * w);
-    const double cosine = (1.0 - w * w) * inverse, sine = 2.0 * w * inverse;
-    const double mean = 0.5 * (s_rr[k] + s_zz[k]), half = 0.5 * (s_rr[k] - s_zz[k]), shear = s_rz[k];
-    const double half_new = cosine * half + sine * shear;
-    s_rr[k] = mean + half_new;
-    s_zz[k] = mean - half_new;
-    s_rz[k] = cosine * shear - sine * half;
+    const Pack w = dt * 0.5 * (vr_z - vz_r);
+    const Pack inverse = 1.0 / (1.0 + w * w);
+    const Pack cosine = (1.0 - w * w) * inverse, sine = 2.0 * w * inverse;
+    const Pack mean = 0.5 * (s_rr + s_zz), half = 0.5 * (s_rr - s_zz), shear = s_rz;
+    const Pack half_new = cosine * half + sine * shear;
+    s_rr = mean + half_new;
+    s_zz = mean - half_new;
+    s_rz = cosine * shear - sine * half;
+    store(points.s_rr + k, s_rr);
+    store(points.s_zz + k, s_zz);
+    store(points.s_rz + k, s_rz);
 
-    volume[k] *= 1.0 + dt * divergence;
-    r[k] += dt * vr;
-    z[k] += dt * vz;
+    const Pack volume = load(points.volume + k) * (1.0 + dt * divergence);
+    store(points.volume + k, volume);
+    store(points.r + k, r + dt * vr);
+    store(points.z + k, load(points.z + k) + dt * vz);
+    work += volume * (s_rr * d_rr + s_zz * d_zz + s_tt * d_tt + 2.0 * s_rz * d_rz);
   }
-
-  for (std::size_t k = static_cast<std::size_t>(count); k < padded; ++k)
-    d_rr[k] = d_zz[k] = d_tt[k] = d_rz[k] = 0.0;
-
-  double work = 0.0;
-#pragma omp simd reduction(+ : work)
-  for (std::size_t k = 0; k < padded; ++k)
-    work += volume[k] * (s_rr[k] * d_rr[k] + s_zz[k] * d_zz[k] + s_tt[k] * d_tt[k] + 2.0 * s_rz[k] * d_rz[k]);
-  return 0.5 * work;
+  return 0.5 * lane_sum(work);
 }
 
-// Volume and stress of the two quadrants below or above eta = 0; in halves, so that the sums stay in
-// registers.
-template <bool upper>
-inline void sum_half(std::size_t padded, const PointFields& points, const double* __restrict__ left,
-                     CellSums& sums) {
-  const double* __restrict__ xi = points.xi;
-  const double* __restrict__ eta = points.eta;
-  const double* __restrict__ volume = points.volume;
-  const double* __restrict__ s_rr = points.s_rr;
-  const double* __restrict__ s_zz = points.s_zz;
-  const double* __restrict__ s_tt = points.s_tt;
-  const double* __restrict__ s_rz = points.s_rz;
-  double v0 = 0, r0 = 0, z0 = 0, t0 = 0, s0 = 0, v1 = 0, r1 = 0, z1 = 0, t1 = 0, s1 = 0;
-#pragma omp simd reduction(+ : v0, r0, z0, t0, s0, v1, r1, z1, t1, s1)
-  for (std::size_t k = 0; k < padded; ++k) {
-    const double here = upper ? select(eta[k] > 0.0, 1.0, 0.0) : select(eta[k] > 0.0, 0.0, 1.0);
-    const double v = volume[k] * (1.0 - left[k]) * here;
-    const double w1 = select(xi[k] > 0.0, v, 0.0), w0 = v - w1;
-    v0 += w0, r0 += w0 * s_rr[k], z0 += w0 * s_zz[k], t0 += w0 * s_tt[k], s0 += w0 * s_rz[k];
-    v1 += w1, r1 += w1 * s_rr[k], z1 += w1 * s_zz[k], t1 += w1 * s_tt[k], s1 += w1 * s_rz[k];
+double move_points(std::int32_t count, std::size_t padded, const PointFields& points,
+                   const CellMotion& motion, const StrainScratch& strain) {
+  return motion.smoothing > 0.0 ? move<true>(count, padded, points, motion, strain)
+                                : move<false>(count, padded, points, motion, strain);
+}
+
+/// Volume and stress of `quadrants` quadrants from `first` on, in the order of CellSums; points that left do
+/// not count.
+template <int first, int quadrants>
+CPT_INLINE void sum_quadrants(std::size_t padded, const PointFields& points, const double* left, Pack* sums) {
+  const Pack zero = splat(0.0);
+  Pack sum[5][quadrants];
+  for (auto& field : sum)
+    for (Pack& s : field) s = zero;
+  for (std::size_t k = 0; k < padded; k += lanes) {
+    const Mask right = greater(load(points.xi + k), zero), upper = greater(load(points.eta + k), zero);
+    const Pack volume = select(greater(load(left + k), zero), zero, load(points.volume + k));
+    const Pack s_rr = load(points.s_rr + k), s_zz = load(points.s_zz + k), s_tt = load(points.s_tt + k),
+               s_rz = load(points.s_rz + k);
+    for (int i = 0; i < quadrants; ++i) {
+      const int q = first + i;
+      const Mask here = (q % 2 == 1 ? right : !right) & (q / 2 == 1 ? upper : !upper);
+      const Pack v = select(here, volume, zero);
+      sum[0][i] += v;
+      sum[1][i] += v * s_rr;
+      sum[2][i] += v * s_zz;
+      sum[3][i] += v * s_tt;
+      sum[4][i] += v * s_rz;
+    }
   }
-  const int q = upper ? 2 : 0;
-  sums.volume[q] += v0, sums.s_rr[q] += r0, sums.s_zz[q] += z0, sums.s_tt[q] += t0, sums.s_rz[q] += s0;
-  sums.volume[q + 1] += v1, sums.s_rr[q + 1] += r1, sums.s_zz[q + 1] += z1, sums.s_tt[q + 1] += t1,
-      sums.s_rz[q + 1] += s1;
+  for (int f = 0; f < 5; ++f)
+    for (int i = 0; i < quadrants; ++i) sums[4 * f + first + i] = sum[f][i];
+}
+
+/// Mass and momentum at the cell's nodes, in the order of CellSums; points that left do not count.
+CPT_INLINE void sum_nodes(std::size_t padded, const PointFields& points, const double* left, Pack* sums) {
+  Pack sum[3][4];
+  for (auto& field : sum)
+    for (Pack& s : field) s = splat(0.0);
+  for (std::size_t k = 0; k < padded; k += lanes) {
+    const Pack x = load(points.xi + k), y = load(points.eta + k);
+    const Pack m = load(points.mass + k) * (1.0 - load(left + k)) * 0.25;
+    const Pack low = m * (1.0 - y), high = m * (1.0 + y);
+    const Pack N[4] = {low * (1.0 - x), low * (1.0 + x), high * (1.0 + x), high * (1.0 - x)};
+    const Pack vr = load(points.v_r + k), vz = load(points.v_z + k);
+    for (int i = 0; i < 4; ++i) {
+      sum[0][i] += N[i];
+      sum[1][i] += N[i] * vr;
+      sum[2][i] += N[i] * vz;
+    }
+  }
+  for (int f = 0; f < 3; ++f)
+    for (int i = 0; i < 4; ++i) sums[4 * f + i] = sum[f][i];
 }
 
 double sum_points(std::int32_t count, std::size_t padded, const PointFields& points, const CellShape& shape,
                   const Cell& cell, const StrainScratch& strain, Material material, CellSums& sums,
-                  std::int32_t& left_count) {
-  double* __restrict__ r = points.r;
-  double* __restrict__ z = points.z;
-  double* __restrict__ xi = points.xi;
-  double* __restrict__ eta = points.eta;
-  const double* __restrict__ v_r = points.v_r;
-  const double* __restrict__ v_z = points.v_z;
-  const double* __restrict__ mass = points.mass;
-  const double* __restrict__ volume = points.volume;
-  const double* __restrict__ s_rr = points.s_rr;
-  const double* __restrict__ s_zz = points.s_zz;
-  const double* __restrict__ s_tt = points.s_tt;
-  const double* __restrict__ s_rz = points.s_rz;
-  const double* __restrict__ d_rr = strain.d_rr;
-  const double* __restrict__ d_zz = strain.d_zz;
-  const double* __restrict__ d_tt = strain.d_tt;
-  const double* __restrict__ d_rz = strain.d_rz;
-  double* __restrict__ left = strain.left;
-
-  for (std::size_t k = static_cast<std::size_t>(count); k < padded; ++k) {
-    r[k] = shape.r_c;
-    z[k] = 0.5 * (shape.zb0 + shape.zt0);
-  }
-
+                  bool& some_left) {
   const double inverse_a = 1.0 / shape.a;
-  double gone = 0.0, work = 0.0;
-#pragma omp simd reduction(+ : gone, work)
-  for (std::size_t k = 0; k < padded; ++k) {
-    const double x = (r[k] - shape.r_c) * inverse_a;
-    double x_in = select(x > -1.0, x, -1.0);
-    x_in = select(x_in < 1.0, x_in, 1.0);
-    const double bottom = shape.zb0 + shape.zb1 * x_in, top = shape.zt0 + shape.zt1 * x_in;
-    const double y = 2.0 * (z[k] - bottom) / (top - bottom) - 1.0;
-    double y_in = select(y > -1.0, y, -1.0);
-    y_in = select(y_in < 1.0, y_in, 1.0);
-    const bool inside = (x >= cell.xi_min) & (x <= cell.xi_max) & (y >= cell.eta_min) & (y <= cell.eta_max);
-    xi[k] = x_in;
-    eta[k] = y_in;
-    left[k] = select(inside, 0.0, 1.0);
-    gone += left[k];
-    work += volume[k] * (s_rr[k] * d_rr[k] + s_zz[k] * d_zz[k] + s_tt[k] * d_tt[k] + 2.0 * s_rz[k] * d_rz[k]);
+  const Pack zero = splat(0.0);
+  Mask gone = none();
+  Pack work = zero;
+  for (std::size_t k = 0; k < padded; k += lanes) {
+    const Mask used = used_lanes(k, count);
+    const Pack r = select(used, load(points.r + k), splat(shape.r_c));
+    const Pack z = select(used, load(points.z + k), splat(0.5 * (shape.zb0 + shape.zt0)));
+    const Pack x = (r - shape.r_c) * inverse_a;
+    const Pack x_in = limited(x);
+    const Pack bottom = shape.zb0 + shape.zb1 * x_in, top = shape.zt0 + shape.zt1 * x_in;
+    const Pack y = 2.0 * (z - bottom) / (top - bottom) - 1.0;
+    const Mask inside = at_most_mask(splat(cell.xi_min), x) & at_most_mask(x, splat(cell.xi_max)) &
+                        at_most_mask(splat(cell.eta_min), y) & at_most_mask(y, splat(cell.eta_max));
+    store(points.xi + k, x_in);
+    store(points.eta + k, limited(y));
+    store(strain.left + k, select(inside, zero, splat(1.0)));
+    gone = gone | !inside;
+    work +=
+        load(points.volume + k) *
+        (load(points.s_rr + k) * load(strain.d_rr + k) + load(points.s_zz + k) * load(strain.d_zz + k) +
+         load(points.s_tt + k) * load(strain.d_tt + k) + 2.0 * load(points.s_rz + k) * load(strain.d_rz + k));
   }
-  left_count = static_cast<std::int32_t>(gone);
+  some_left = any(gone);
 
-  double m0 = 0, m1 = 0, m2 = 0, m3 = 0, r0 = 0, r1 = 0, r2 = 0, r3 = 0, z0 = 0, z1 = 0, z2 = 0, z3 = 0;
-#pragma omp simd reduction(+ : m0, m1, m2, m3, r0, r1, r2, r3, z0, z1, z2, z3)
-  for (std::size_t k = 0; k < padded; ++k) {
-    const double m = mass[k] * (1.0 - left[k]) * 0.25;
-    const double low = m * (1.0 - eta[k]), high = m * (1.0 + eta[k]);
-    const double n0 = low * (1.0 - xi[k]), n1 = low * (1.0 + xi[k]);
-    const double n2 = high * (1.0 + xi[k]), n3 = high * (1.0 - xi[k]);
-    const double vr = v_r[k], vz = v_z[k];
-    m0 += n0, m1 += n1, m2 += n2, m3 += n3;
-    r0 += n0 * vr, r1 += n1 * vr, r2 += n2 * vr, r3 += n3 * vr;
-    z0 += n0 * vz, z1 += n1 * vz, z2 += n2 * vz, z3 += n3 * vz;
+  // In parts whose sums stay in the registers.
+  constexpr int nodes_first = offsetof(CellSums, mass) / sizeof(double), count_of_sums = nodes_first + 12;
+  Pack sum[count_of_sums];
+  if constexpr (lanes == 8) {
+    sum_quadrants<0, 4>(padded, points, strain.left, sum);
+  } else {
+    sum_quadrants<0, 2>(padded, points, strain.left, sum);
+    sum_quadrants<2, 2>(padded, points, strain.left, sum);
   }
-  sums.mass[0] += m0, sums.mass[1] += m1, sums.mass[2] += m2, sums.mass[3] += m3;
-  sums.p_r[0] += r0, sums.p_r[1] += r1, sums.p_r[2] += r2, sums.p_r[3] += r3;
-  sums.p_z[0] += z0, sums.p_z[1] += z1, sums.p_z[2] += z2, sums.p_z[3] += z3;
-  sums.material_mass[static_cast<std::int32_t>(material)] += m0 + m1 + m2 + m3;
+  sum_nodes(padded, points, strain.left, sum + nodes_first);
 
-  sum_half<false>(padded, points, left, sums);
-  sum_half<true>(padded, points, left, sums);
-  return 0.5 * work;
+  alignas(64) double bucket[count_of_sums];
+  auto* const cell_sums = reinterpret_cast<double*>(&sums);
+  for (int f = 0; f < count_of_sums; f += lanes) {
+    Pack block[lanes];
+    for (int l = 0; l < lanes; ++l) block[l] = sum[f + l];
+    const Pack value = lane_sums(block);
+    store(bucket + f, value);
+    store(cell_sums + f, load(cell_sums + f) + value);
+  }
+  const double* mass = bucket + nodes_first;
+  sums.material_mass[static_cast<std::int32_t>(material)] += mass[0] + mass[1] + mass[2] + mass[3];
+  return 0.5 * lane_sum(work);
 }
 
 }  // namespace
 
-extern const TransferKernels CPT_KERNELS;
-const TransferKernels CPT_KERNELS = {move_points, sum_points};
+extern const TransferKernels transfer;
+const TransferKernels transfer = {move_points, sum_points};
 
-}  // namespace cpt::solver
+}  // namespace cpt::solver::CPT_KERNEL_NAMESPACE

@@ -56,6 +56,7 @@ CPT_INLINE Pack reciprocal(Pack x) {
   y = y + y * (error + error * error);
   return y + y * (1.0 - x * y);
 }
+CPT_INLINE Pack exact_sqrt(Pack x) { return _mm512_mask_sqrt_pd(x, 0xff, x); }
 CPT_INLINE Pack inverse_sqrt(Pack x) {
   Pack y = _mm512_mask_rsqrt14_pd(x, 0xff, x);
   const Pack error = 1.0 - x * (y * y);
@@ -82,7 +83,7 @@ CPT_INLINE Pack select(Mask m, Pack a, Pack b) {
 }
 CPT_INLINE Pack at_least(Pack x, Pack low) { return _mm256_max_pd(low, x); }
 CPT_INLINE Pack at_most(Pack x, Pack high) { return _mm256_min_pd(high, x); }
-CPT_INLINE Pack inverse_sqrt(Pack x) { return 1.0 / static_cast<Pack>(_mm256_sqrt_pd(x)); }
+CPT_INLINE Pack exact_sqrt(Pack x) { return _mm256_sqrt_pd(x); }
 #else
 CPT_INLINE bool any(Mask a) { return (a.bits[0] | a.bits[1]) != 0; }
 CPT_INLINE Pack select(Mask m, Pack a, Pack b) {
@@ -91,11 +92,12 @@ CPT_INLINE Pack select(Mask m, Pack a, Pack b) {
 CPT_INLINE Pack at_least(Pack x, Pack low) { return select(less(x, low), low, x); }
 CPT_INLINE Pack at_most(Pack x, Pack high) { return select(less(high, x), high, x); }
 #if defined(__x86_64__)
-CPT_INLINE Pack inverse_sqrt(Pack x) { return 1.0 / static_cast<Pack>(_mm_sqrt_pd(x)); }
+CPT_INLINE Pack exact_sqrt(Pack x) { return _mm_sqrt_pd(x); }
 #else
-CPT_INLINE Pack inverse_sqrt(Pack x) { return Pack{1.0 / __builtin_sqrt(x[0]), 1.0 / __builtin_sqrt(x[1])}; }
+CPT_INLINE Pack exact_sqrt(Pack x) { return Pack{__builtin_sqrt(x[0]), __builtin_sqrt(x[1])}; }
 #endif
 #endif
+CPT_INLINE Pack inverse_sqrt(Pack x) { return 1.0 / exact_sqrt(x); }
 CPT_INLINE Pack reciprocal(Pack x) { return 1.0 / x; }
 
 #endif
