@@ -135,12 +135,13 @@ void diagnose_with(Runner& runner, const Asked& asked) {
     fitted.push_back(runner.run(
         fitted_study(request, soundings[s].study, s, assembled.mechanisms, assembled.problem, diagnosis),
         soundings[s].study.study.database));
-  store_answer(request.database, request.title, diagnosis, assembled.problem);
   const auto input = diagnosis_input(request, soundings, assembled, options, diagnosis, fitted);
+  const reports::diagnosed::Answer answer = reports::diagnosed::answer_of(input);
+  store_answer(request.database, {request.title, asked.study.name, answer.headline}, diagnosis,
+               assembled.problem);
   const auto files = reports::diagnosed::write_diagnosis_report(input, request.report_dir);
 
   for (const std::string& remark : assembled.remarks) fmt::print("note: {}\n", remark);
-  const reports::diagnosed::Answer answer = reports::diagnosed::answer_of(input);
   fmt::print("{}\n", answer.headline);
   for (const std::string& paragraph : answer.paragraphs) fmt::print("\n{}\n", paragraph);
   fmt::print("\nanswer in {}\nreport: {}\n", request.database.string(), files.front().string());
