@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "reports/labels.hpp"
@@ -33,6 +34,15 @@ std::vector<std::string> wrapped(const std::string& text, double size, double ro
   }
   for (std::string& line : lines) line = shortened(line, room, size);
   return lines;
+}
+
+/// Height of a figure over its width.
+double shape_of(const std::string& svg) {
+  constexpr std::string_view before = "viewBox=\"0 0 ";
+  std::istringstream size(svg.substr(svg.find(before) + before.size(), 40));
+  double wide = 1.0, high = 1.0;
+  size >> wide >> high;
+  return high / wide;
 }
 
 /// Writes downward; begins a new page where one is full.
@@ -70,11 +80,14 @@ class Writer {
   }
   void figure(const std::string& svg, const std::string& caption) {
     const auto lines = wrapped(caption, text_size, column);
-    const double height = bottom - top - 1.4 * text_size * static_cast<double>(lines.size()) - 10.0;
-    new_page();
-    placed_.push_back({svg, {left, top, column, height}});
-    y_ = top + height + 6.0;
+    const double below = 1.4 * text_size * static_cast<double>(lines.size()) + 10.0;
+    const double height = std::min(column * shape_of(svg), bottom - top - below);
+    y_ += y_ > top ? 12.0 : 0.0;
+    need(height + below);
+    placed_.push_back({svg, {left, y_, column, height}});
+    y_ += height;
     paragraph(caption);
+    y_ += 10.0;
   }
   std::vector<PdfPage> pages() {
     end_page();
@@ -122,7 +135,7 @@ void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& win
                   "at the lower bound) / q at the upper bound, after Yost et al. (2023), eq. 3.",
                   depth_range(window.from_m, window.to_m), number(rows.front().q_baseline_kPa, 5),
                   decimals(rows.front().si_noise, 4)));
-  const std::vector<double> widths = {70, 60, 60, 60, 72, 72, 50, column - 444};
+  const std::vector<double> widths = {58, 42, 44, 42, 68, 68, 42, column - 364};
   out.row({plain("input"), plain("lower"), plain("baseline"), plain("upper"), plain("q lower (kPa)"),
            plain("q upper (kPa)"), plain("SI (-)"), plain("note")},
           widths, true);

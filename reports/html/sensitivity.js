@@ -40,7 +40,7 @@ function tornado(window) {
     const room = Math.min(text_width(halves.map((half) => half.text).concat("00")) + 10, 0.2 * width);
     const svg = Plot.plot({
       ...frame_of(rows, labels, width),
-      x: { insetLeft: room, insetRight: room, label: "q_c", labelAnchor: "center", labelArrow: "none", nice: true, grid: true },
+      x: { insetLeft: room, insetRight: room, label: "q_c", labelAnchor: "center", labelArrow: "none", nice: true, tickSpacing: 50, grid: true },
       y: { domain: names, label: null, tickSize: 0, padding: 0.35 },
       marks: [
         Plot.barX([base], { x1: "q_c_min_kPa", x2: "q_c_max_kPa", fill: "var(--band)", inset: 0 }),

@@ -53,7 +53,7 @@ TEST_F(Report, WritesEveryFileItNames) {
   EXPECT_NEAR(png_width(folder / "report" / "profiles.png"), 400.0 / 72.0 * 300.0, 1.0);
 }
 
-TEST_F(Report, PdfHasAPageForEveryFigureAndLegibleType) {
+TEST_F(Report, PdfHasEveryFigureAtColumnWidthWithLegibleType) {
   const auto campaign = run_made_up(layered_study(folder), {{5, "crashed"}});
   write_report(campaign, folder / "report");
   const std::string pdf = read(folder / "report" / "report.pdf");
@@ -61,9 +61,9 @@ TEST_F(Report, PdfHasAPageForEveryFigureAndLegibleType) {
   const auto figures = campaign_figures(campaign);
   const auto pages = supplement(campaign, figures);
   EXPECT_TRUE(has(pdf, "/Count " + std::to_string(pages.size()))) << pages.size();
-  const auto figure_pages =
-      std::count_if(pages.begin(), pages.end(), [](const auto& page) { return page.size() > 1; });
-  EXPECT_EQ(figure_pages, static_cast<long>(figures.size()));
+  std::size_t drawn = 0;
+  for (const auto& page : pages) drawn += page.size() - 1;
+  EXPECT_EQ(drawn, figures.size());
   const std::regex size("font-size=\"([0-9.]+)\""), view("viewBox=\"0 0 ([0-9.]+) ([0-9.]+)\"");
   for (const auto& page : pages)
     for (const auto& part : page) {
