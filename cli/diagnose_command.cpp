@@ -50,10 +50,11 @@ void diagnose_one(StudyRunner& runner, const RequestFile& asked, bool report) {
   if (correct(assembled.problem, request, soundings, fitted, diagnosis))
     diagnosis = diagnose(assembled.problem, options);
 
-  store_answer(request.database, request.title, diagnosis, assembled.problem);
   const auto input = diagnosis_input(request, soundings, assembled, options, diagnosis, fitted);
-  for (const std::string& remark : assembled.remarks) fmt::print("note: {}\n", remark);
   const reports::diagnosed::Answer answer = reports::diagnosed::answer_of(input);
+  store_answer(request.database, {request.title, asked.study.name, answer.headline}, diagnosis,
+               assembled.problem);
+  for (const std::string& remark : assembled.remarks) fmt::print("note: {}\n", remark);
   fmt::print("{}\n", answer.headline);
   for (const std::string& paragraph : answer.paragraphs) fmt::print("\n{}\n", paragraph);
   fmt::print("\nanswer in {}\n", request.database.string());

@@ -2,13 +2,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <memory>
+#include <thread>
 
+#include "campaign/stop_signals.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/study_argument.hpp"
-#include "reports/report.hpp"
-#include "results/snapshot.hpp"
+#include "cli/study_report.hpp"
+#include "reports/labels.hpp"
+#include "results/ledger_watch.hpp"
 
 namespace cpt::cli {
 namespace {
@@ -16,6 +21,8 @@ namespace {
 struct Arguments {
   std::filesystem::path source;
   std::filesystem::path directory;
+  bool watch = false;
+  double every_seconds = 5.0;
 };
 
 // NAME-report beside the database NAME.sqlite, or what the study says.
@@ -25,9 +32,41 @@ std::filesystem::path report_directory(const Arguments& arguments) {
   return arguments.source.parent_path() / (arguments.source.stem().string() + "-report");
 }
 
+// Sleeps for so long, or until a signal arrives.
+void sleep(std::chrono::duration<double> time) {
+  const auto end = std::chrono::steady_clock::now() + time;
+  while (std::chrono::steady_clock::now() < end && campaign::StopSignals::received() == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+}
+
+// Writes the report whenever the database has changed, until no realization is left to run. The last page
+// does not load itself anew.
+int watch(const Arguments& arguments, const std::filesystem::path& database,
+          const std::filesystem::path& directory) {
+  const campaign::StopSignals signals;
+  results::LedgerWatch ledger(database);
+  const int reload_seconds = std::max(1, static_cast<int>(arguments.every_seconds));
+  while (campaign::StopSignals::received() == 0) {
+    if (ledger.changed()) {
+      const results::Snapshot campaign = results::read_snapshot(database);
+      const bool running = std::any_of(campaign.realizations.begin(), campaign.realizations.end(),
+                                       [](const auto& run) { return run.waiting(); });
+      const auto files = write_study_report(campaign, database, directory, running ? reload_seconds : 0);
+      fmt::print("{}: {}\n", files.front().string(), reports::state_of(campaign));
+      std::fflush(stdout);
+      if (!running) return all_well;
+    }
+    sleep(std::chrono::duration<double>(arguments.every_seconds));
+  }
+  write_study_report(results::read_snapshot(database), database, directory);
+  return stopped_by_signal + campaign::StopSignals::received();
+}
+
 int report(const Arguments& arguments) {
-  const results::Snapshot campaign = results::read_snapshot(database_of(arguments.source));
-  for (const auto& file : reports::write_report(campaign, report_directory(arguments)))
+  const std::filesystem::path database = database_of(arguments.source),
+                              directory = report_directory(arguments);
+  if (arguments.watch) return watch(arguments, database, directory);
+  for (const auto& file : write_study_report(results::read_snapshot(database), database, directory))
     fmt::print("{}\n", file.string());
   return all_well;
 }
@@ -40,8 +79,17 @@ void add_report(CLI::App& program, Action& action) {
       "report", "Write figures and tables: tornado, sensitivity indices, q_c profiles, baseline and windows");
   command->add_option("STUDY|DB", arguments->source, "Study file or database")->type_name("")->required();
   command->add_option("--directory", arguments->directory, "Where to [NAME-report beside the study]");
+  command->add_flag(
+      "--watch", arguments->watch,
+      "Write it again whenever the campaign has got further, until it is finished; an open page "
+      "follows by itself");
+  command->add_option("--every", arguments->every_seconds, "With --watch: look so often [5]")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.1, 3600.0).description(""));
   command->footer(
-      "Works at any time, also while the campaign runs. Prints the files written, index.html first.");
+      "Works at any time, also while the campaign runs. Prints the files written, index.html first: one page "
+      "that "
+      "needs no network.");
   command->callback([arguments, &action] { action = [arguments] { return report(*arguments); }; });
 }
 

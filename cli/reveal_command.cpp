@@ -51,7 +51,8 @@ std::map<int, StoredAnswer> answers_of(const Plan& plan) {
     }
     StoredAnswer answer = load_answer(answer_file(plan, id));
     std::string said = answer.answer;
-    for (const Hypothesis& h : answer.hypotheses) said += fmt::format("|{}={:.17g}", h.name, h.probability);
+    for (const StoredAnswer::Weighed& h : answer.hypotheses)
+      said += fmt::format("|{}={:.17g}", h.name, h.probability);
     record[case_name(id)] = results::sha256(said);
     answers.emplace(id, std::move(answer));
   }

@@ -13,8 +13,7 @@
 #include "cli/plan.hpp"
 #include "cli/realization_command.hpp"
 #include "cli/study_argument.hpp"
-#include "reports/report.hpp"
-#include "results/snapshot.hpp"
+#include "cli/study_report.hpp"
 
 namespace cpt::cli {
 namespace {
@@ -30,7 +29,8 @@ struct Arguments {
 };
 
 void report(const parameters::Study& study) {
-  const auto files = reports::write_report(results::read_snapshot(study.database), study.report_dir);
+  const auto files =
+      write_study_report(results::read_snapshot(study.database), study.database, study.report_dir);
   if (!files.empty()) fmt::print("report: {}\n", files.front().string());
 }
 

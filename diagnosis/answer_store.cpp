@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "diagnosis/design.hpp"
 #include "results/database.hpp"
@@ -20,6 +21,8 @@ DROP TABLE IF EXISTS fitted_parameter;
 DROP TABLE IF EXISTS mechanism_pair;
 CREATE TABLE diagnosis (
   title             TEXT NOT NULL,
+  study             TEXT NOT NULL,
+  headline          TEXT NOT NULL,
   answer            TEXT NOT NULL,
   p_nothing_missing REAL,
   p_mismatch        REAL,
@@ -74,15 +77,17 @@ const std::string& answer_name(const Diagnosis& diagnosis) {
   return diagnosis.hypotheses[diagnosis.answer].name;
 }
 
-void store_answer(const std::filesystem::path& file, const std::string& title, const Diagnosis& diagnosis,
+void store_answer(const std::filesystem::path& file, const AnswerText& text, const Diagnosis& diagnosis,
                   const Problem& problem) {
   const results::Database database(file, results::Database::Mode::read_write);
   results::Transaction transaction(database, results::Transaction::Kind::write);
   database.execute(tables);
   const Hypothesis& none = diagnosis.hypotheses[diagnosis.mechanisms.size()];
   const auto& held_out = diagnosis.held_out;
-  database.prepare("INSERT INTO diagnosis VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .bind(title)
+  database.prepare("INSERT INTO diagnosis VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .bind(text.title)
+      .bind(text.study)
+      .bind(text.headline)
       .bind(answer_name(diagnosis))
       .bind(none.probability)
       .bind(diagnosis.location.p)
@@ -140,30 +145,73 @@ void store_answer(const std::filesystem::path& file, const std::string& title, c
 
 StoredAnswer load_answer(const std::filesystem::path& file) {
   const results::Database database(file, results::Database::Mode::read_only);
-  StoredAnswer stored{};
-  auto main = database.prepare("SELECT answer, p_mismatch, held_out_rmse_null, held_out_rmse FROM diagnosis");
-  if (!main.step()) throw std::invalid_argument(file.string() + " holds no answer");
-  stored.answer = main.text(0);
-  stored.p_mismatch = main.number(1);
-  stored.held_out_rmse_null = main.number(2);
-  stored.held_out_rmse = main.number(3);
-  auto rows = database.prepare(
+  const results::Transaction transaction(database, results::Transaction::Kind::read);
+  results::Statement row = database.prepare(
+      "SELECT title, study, headline, answer, held_out_rmse_null, held_out_rmse, held_out_gain, "
+      "held_out_gain_lower, held_out_gain_upper FROM diagnosis");
+  if (!row.step()) throw std::invalid_argument(file.string() + " holds no answer");
+  StoredAnswer answer{{row.text(0), row.text(1), row.text(2)},
+                      file.filename().string(),
+                      row.text(3),
+                      row.number(4),
+                      row.number(5),
+                      row.number(6),
+                      row.number(7),
+                      row.number(8),
+                      {},
+                      {},
+                      {},
+                      {}};
+  results::Statement hypotheses = database.prepare(
       "SELECT name, prior, log_evidence, probability, in_set FROM hypothesis ORDER BY position");
-  while (rows.step()) {
-    stored.hypotheses.push_back({rows.text(0), rows.number(1), rows.number(2), rows.number(3)});
-    if (rows.integer(4) != 0) stored.set.push_back(rows.text(0));
-  }
-  auto found = database.prepare("SELECT sounding, from_m, to_m FROM mismatch ORDER BY position");
-  while (found.step())
-    stored.mismatches.push_back({static_cast<int>(found.integer(0)), found.number(1), found.number(2)});
-  auto fitted = database.prepare(
+  while (hypotheses.step())
+    answer.hypotheses.push_back({hypotheses.text(0), hypotheses.number(1), hypotheses.number(2),
+                                 hypotheses.number(3), hypotheses.integer(4) != 0});
+  results::Statement places =
+      database.prepare("SELECT sounding, from_m, to_m, percent, p FROM mismatch ORDER BY position");
+  while (places.step())
+    answer.mismatches.push_back({static_cast<int>(places.integer(0)), places.number(1), places.number(2),
+                                 places.number(3), places.number(4)});
+  results::Statement fitted = database.prepare(
       "SELECT mechanism, quantity, unit, value, deviation, lower, upper FROM fitted_parameter");
   while (fitted.step())
-    stored.fitted.push_back({fitted.text(0), fitted.text(1), fitted.text(2), fitted.number(3),
+    answer.fitted.push_back({fitted.text(0), fitted.text(1), fitted.text(2), fitted.number(3),
                              fitted.number(4), fitted.number(5), fitted.number(6)});
-  auto pair = database.prepare("SELECT first, second FROM mechanism_pair ORDER BY position LIMIT 1");
-  if (pair.step()) stored.best_pair = {pair.text(0), pair.text(1)};
-  return stored;
+  results::Statement pair =
+      database.prepare("SELECT first, second FROM mechanism_pair ORDER BY position LIMIT 1");
+  if (pair.step()) answer.best_pair = {pair.text(0), pair.text(1)};
+  return answer;
+}
+
+namespace {
+
+bool has_answer_about(const std::filesystem::path& file, const std::string& study) {
+  const results::Database database(file, results::Database::Mode::read_only);
+  // An answer stored before the table named its study is nobody's.
+  if (database.integer("SELECT count(*) FROM pragma_table_info('diagnosis') WHERE name = 'study'") == 0)
+    return false;
+  results::Statement row = database.prepare("SELECT 1 FROM diagnosis WHERE study = ?");
+  row.bind(study);
+  return row.step();
+}
+
+}  // namespace
+
+std::vector<StoredAnswer> read_answers(const std::filesystem::path& folder, const std::string& study) {
+  std::vector<std::filesystem::path> files;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".sqlite") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<StoredAnswer> answers;
+  for (const std::filesystem::path& file : files) {
+    try {
+      if (has_answer_about(file, study)) answers.push_back(load_answer(file));
+    } catch (const results::Error&) {
+      continue;  // no database, or one that is being made
+    }
+  }
+  return answers;
 }
 
 }  // namespace cpt::diagnosis

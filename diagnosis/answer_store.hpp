@@ -1,5 +1,5 @@
-// The answer in SQLite: tables diagnosis, hypothesis, mismatch, fitted_parameter and mechanism_pair of the
-// diagnosis' database.
+// The answer in SQLite: tables diagnosis, hypothesis, mismatch and fitted_parameter of the diagnosis'
+// database.
 #pragma once
 
 #include <filesystem>
@@ -23,27 +23,46 @@ struct FittedParameter {
 /// Name of the answer after the gate: a mechanism, "nothing is missing" or "none of these".
 [[nodiscard]] const std::string& answer_name(const Diagnosis& diagnosis);
 
-/// Replaces what the file holds of an earlier answer, in one transaction. Throws results::Error.
-void store_answer(const std::filesystem::path& database, const std::string& title, const Diagnosis& diagnosis,
-                  const Problem& problem);
-
-/// What was stored, as far as a benchmark asks for it.
-struct StoredAnswer {
-  std::string answer;  ///< after the gate
-  std::vector<Hypothesis> hypotheses;
-  std::vector<std::string> set;
-  struct Interval {
-    int sounding;     ///< -1: the same depths in all
-    double from, to;  // [m]
-  };
-  std::vector<Interval> mismatches;
-  std::vector<FittedParameter> fitted;
-  std::pair<std::string, std::string> best_pair;  ///< empty names if there was none
-  double p_mismatch;                              // [-] family-wise
-  double held_out_rmse_null, held_out_rmse;       // [ln q_c] NaN where nothing was held out
+/// What an answer is about, and how it is said.
+struct AnswerText {
+  std::string title;     ///< of the request
+  std::string study;     ///< name of the study it was held against
+  std::string headline;  ///< the answer in one sentence
 };
 
-/// Throws results::Error or std::invalid_argument where there is none.
+/// Replaces what the file holds of an earlier answer, in one transaction. Throws results::Error.
+void store_answer(const std::filesystem::path& database, const AnswerText& text, const Diagnosis& diagnosis,
+                  const Problem& problem);
+
+/// An answer as it is read back. Numbers that the diagnosis did not give are NaN.
+struct StoredAnswer : AnswerText {
+  std::string file;                                                ///< name of the database
+  std::string answer;                                              ///< see answer_name
+  double held_out_rmse_null, held_out_rmse;                        // [-] of ln q_c
+  double held_out_gain, held_out_gain_lower, held_out_gain_upper;  // [-] log score per cell, 90 % interval
+  struct Weighed {
+    std::string name;
+    double prior, log_evidence, probability;  // [-]
+    bool in_set;
+  };
+  std::vector<Weighed> hypotheses;
+  struct Place {
+    int sounding;
+    double from, to;  // [m]
+    double percent;   // [%] of the simulated q_c
+    double p;         // [-]
+  };
+  std::vector<Place> mismatches;
+  std::vector<FittedParameter> fitted;
+  std::pair<std::string, std::string> best_pair;  ///< of mechanisms; empty names if there was none
+};
+
+/// The answer in a database. Throws results::Error or std::invalid_argument where there is none.
 [[nodiscard]] StoredAnswer load_answer(const std::filesystem::path& database);
+
+/// The answers about a study in a folder's databases, by file name. Files that are no database, or of another
+/// study, are passed over.
+[[nodiscard]] std::vector<StoredAnswer> read_answers(const std::filesystem::path& folder,
+                                                     const std::string& study);
 
 }  // namespace cpt::diagnosis

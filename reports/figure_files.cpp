@@ -39,10 +39,18 @@ void make_directory(const fs::path& directory) {
 }
 
 void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  fs::path half = file;
+  half += ".tmp";
+  std::ofstream out(half, std::ios::binary | std::ios::trunc);
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
   out.close();
-  if (!out) throw results::Error(file.string() + ": cannot be written");
+  std::error_code error;
+  if (out) fs::rename(half, file, error);
+  if (!out || error) {
+    std::error_code ignored;
+    fs::remove(half, ignored);
+    throw results::Error(file.string() + ": cannot be written");
+  }
 }
 
 std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign) {

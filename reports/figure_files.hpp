@@ -26,7 +26,8 @@ std::vector<std::filesystem::path> write_figure(const NamedFigure& figure,
 
 /// Makes a folder and those above it; throws results::Error if it cannot.
 void make_directory(const std::filesystem::path& directory);
-/// Replaces a file; throws results::Error if it cannot be written.
+/// Replaces a file in one step, so that who reads it finds the old or the new one; throws results::Error if
+/// it cannot be written.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace cpt::reports

@@ -64,6 +64,7 @@ Rich unit_of(const ParameterRow& parameter) {
 
 Rich run_label(const Snapshot& campaign, const RealizationRow& run) {
   if (run.parameter.empty()) return plain("baseline");
+  if (run.side == "point") return plain(run.parameter);
   const ParameterRow& parameter = parameter_of(campaign, run.parameter);
   const bool bare = parameter.unit.empty() || parameter.unit == "-";
   return symbol_of(campaign, parameter) +

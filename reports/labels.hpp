@@ -24,7 +24,7 @@ namespace cpt::reports {
 [[nodiscard]] Rich symbol_of(const results::Snapshot& campaign, const results::ParameterRow& parameter);
 /// " (kPa)"; nothing for numbers without unit.
 [[nodiscard]] Rich unit_of(const results::ParameterRow& parameter);
-/// "baseline", "H = 75", "σ'h0 = 35 kPa", "wall = flexible".
+/// "baseline", "H = 75", "σ'h0 = 35 kPa", "wall = flexible"; a point's name.
 [[nodiscard]] Rich run_label(const results::Snapshot& campaign, const results::RealizationRow& run);
 /// A longer text cut with "…" so that it fits a width.
 [[nodiscard]] std::string shortened(std::string_view text, double room, double font_size, bool bold = false);

@@ -4,17 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/answer_store.hpp"
 #include "results/snapshot.hpp"
 
 namespace cpt::reports {
 
-/// A figure to put on the page.
-struct PageFigure {
-  std::string svg;
-  std::string caption;  ///< plain text
+/// What stands on the page beside the campaign itself.
+struct PageContext {
+  std::vector<diagnosis::StoredAnswer> diagnoses;  ///< of the study
+  std::vector<std::string> files;                  ///< names of the files beside the page, to link to
+  int reload_seconds = 0;                          ///< how often the page loads itself anew; 0: never
 };
 
-/// State of the campaign, failures with reasons, figures, sensitivity tables, realizations, provenance.
-[[nodiscard]] std::string page(const results::Snapshot& campaign, const std::vector<PageFigure>& figures);
+/// The page: reports/html/report.html with style, scripts, libraries and all numbers as one JSON block, which
+/// reports/html/*.js draw in the browser. It loads nothing from anywhere. The same input gives the same
+/// bytes.
+[[nodiscard]] std::string page(const results::Snapshot& campaign, const PageContext& context = {});
 
 }  // namespace cpt::reports

@@ -2,19 +2,17 @@
 
 #include "reports/figure_files.hpp"
 #include "reports/numbers.hpp"
-#include "reports/page.hpp"
+#include "reports/supplement.hpp"
 
 namespace cpt::reports {
 
 std::vector<std::filesystem::path> write_report(const results::Snapshot& campaign,
-                                                const std::filesystem::path& directory) {
+                                                const std::filesystem::path& directory, PageContext context) {
   make_directory(directory);
   std::vector<std::filesystem::path> files = {directory / "index.html"};
-  std::vector<PageFigure> figures;
-  for (const NamedFigure& figure : campaign_figures(campaign)) {
+  const std::vector<NamedFigure> figures = campaign_figures(campaign);
+  for (const NamedFigure& figure : figures)
     for (const std::filesystem::path& file : write_figure(figure, directory)) files.push_back(file);
-    if (figure.svg) figures.push_back({*figure.svg, figure.caption});
-  }
 
   const auto table = [&](const char* name, const results::Table& numbers) {
     files.push_back(directory / name);
@@ -26,7 +24,11 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
   table("curves.csv", curve_table(campaign));
   files.push_back(directory / "report.json");
   write_text(files.back(), report_json(campaign));
-  write_text(files.front(), page(campaign, figures));
+  files.push_back(directory / "report.pdf");
+  write_pdf(supplement(campaign, figures), campaign.campaign.title, campaign.campaign.created, files.back());
+  for (auto file = files.begin() + 1; file != files.end(); ++file)
+    context.files.push_back(file->filename().string());
+  write_text(files.front(), page(campaign, context));
   return files;
 }
 

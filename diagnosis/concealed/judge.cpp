@@ -76,7 +76,7 @@ std::vector<ParameterCheck> check_parameters(const Truth& truth, const StoredAns
 }  // namespace
 
 double Judged::probability_of(const std::string& name) const {
-  for (const Hypothesis& hypothesis : answer.hypotheses)
+  for (const StoredAnswer::Weighed& hypothesis : answer.hypotheses)
     if (hypothesis.name == name) return hypothesis.probability;
   return 0.0;
 }
@@ -114,7 +114,7 @@ Judged judge(const std::string& benchmark, const Truth& truth, const StoredAnswe
     double sum = 0.0;
     for (int s = 0; s <= cells.back().sounding; ++s) {
       Intervals found;
-      for (const StoredAnswer::Interval& interval : answer.mismatches)
+      for (const StoredAnswer::Place& interval : answer.mismatches)
         if (interval.sounding == s || interval.sounding == -1) found.emplace_back(interval.from, interval.to);
       sum += overlap(found, strong_depths(effect, cells, s));
     }
@@ -129,7 +129,7 @@ Judged judge(const std::string& benchmark, const Truth& truth, const StoredAnswe
   judged.best_rmse = name(simple.best_rmse);
   judged.bic_nothing = simple.bic_weights(simple.bic_weights.size() - 1);
   double of_nothing = 0.0, of_unknown = 0.0;
-  for (const Hypothesis& hypothesis : answer.hypotheses) {
+  for (const StoredAnswer::Weighed& hypothesis : answer.hypotheses) {
     if (hypothesis.name == nothing_is_missing) of_nothing = hypothesis.log_evidence;
     if (hypothesis.name == none_of_these) of_unknown = hypothesis.log_evidence;
   }

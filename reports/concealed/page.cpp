@@ -247,8 +247,9 @@ std::string missed(const Benchmarks& benchmarks) {
   for (const Benchmark& benchmark : benchmarks)
     for (const Judged& judged : benchmark.cases) {
       if (judged.right()) continue;
-      const bool in_set = std::ranges::any_of(judged.answer.set, [&](const std::string& name) {
-        return (" " + judged.label + " ").find(" " + name + " ") != std::string::npos;
+      const bool in_set = std::ranges::any_of(judged.answer.hypotheses, [&](const auto& hypothesis) {
+        return hypothesis.in_set &&
+               (" " + judged.label + " ").find(" " + hypothesis.name + " ") != std::string::npos;
       });
       const std::string why = of_kind(judged, "nothing")              ? "false alarm"
                               : judged.strength < detectable          ? "too weak to be seen"

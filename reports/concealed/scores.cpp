@@ -33,7 +33,8 @@ Labelled labelled(const std::vector<Benchmark>& benchmarks, const Cases& cases) 
     scored.truth = label(*std::ranges::max_element(
         truths, {}, [&](const std::string& name) { return judged->probability_of(name); }));
     scored.answer = label(judged->answer.answer);
-    for (const std::string& name : judged->answer.set) scored.set.push_back(label(name));
+    for (const auto& hypothesis : judged->answer.hypotheses)
+      if (hypothesis.in_set) scored.set.push_back(label(hypothesis.name));
     result.cases.push_back(std::move(scored));
   }
   return result;
@@ -41,10 +42,10 @@ Labelled labelled(const std::vector<Benchmark>& benchmarks, const Cases& cases) 
 
 bool among_first(const Judged& judged, int k) {
   auto hypotheses = judged.answer.hypotheses;
-  std::ranges::stable_sort(hypotheses, std::greater{}, &diagnosis::Hypothesis::probability);
+  std::ranges::stable_sort(hypotheses, std::greater{}, &diagnosis::StoredAnswer::Weighed::probability);
   hypotheses.resize(std::min(hypotheses.size(), static_cast<std::size_t>(k)));
   const std::vector<std::string> truths = truths_of(judged);
-  return std::ranges::any_of(hypotheses, [&](const diagnosis::Hypothesis& hypothesis) {
+  return std::ranges::any_of(hypotheses, [&](const diagnosis::StoredAnswer::Weighed& hypothesis) {
     return std::ranges::find(truths, hypothesis.name) != truths.end();
   });
 }

@@ -64,6 +64,39 @@ std::vector<std::string> gated(const StudyFolder& folder, const std::vector<std:
 // Two of the six, so that two ranks complete four and are then held up.
 const std::vector<std::string> last_two{"sand.H=75", "sand.D_r_percent=46"};
 
+TEST(Campaign, WatchedReportFollowsItToItsEnd) {
+  const StudyFolder folder;
+  Background job(mpirun(2, arguments(folder.study(), {"--slots", "1"})), gated(folder, last_two));
+  ASSERT_TRUE(held_up(folder, 4, 6));
+  Background watch(campaign({"report", folder.study(), "--watch", "--every", "0.2"}), {});
+  const std::filesystem::path page = folder.file("small-report/index.html");
+  const auto says = [&](const char* text) {
+    return std::filesystem::exists(page) &&
+           folder.read("small-report/index.html").find(text) != std::string::npos;
+  };
+  EXPECT_TRUE(
+      eventually([&] { return says("\"state\":\"4 of 6 realizations completed, 2 still to run\""); }));
+  EXPECT_TRUE(says("\"reload_seconds\":1"));
+  folder.write("gate", "");
+  EXPECT_EQ(job.wait().exit_code, 0);
+  const Result watched = watch.wait();
+  EXPECT_EQ(watched.exit_code, 0) << watched.err;
+  EXPECT_TRUE(says("\"state\":\"6 of 6 realizations completed\""));
+  EXPECT_TRUE(says("\"reload_seconds\":0"));
+  const Result numbers =
+      run(campaign({"query", folder.file("small.sqlite"), "sql",
+                    "select q_c_mean_kPa from window_mean order by realization", "--format", "csv"}));
+  std::istringstream lines(numbers.out);
+  std::string line;
+  std::getline(lines, line);  // the heading
+  int means = 0;
+  while (std::getline(lines, line)) {
+    EXPECT_TRUE(says(("\"q_c_mean_kPa\":" + line + ",").c_str())) << line;
+    ++means;
+  }
+  EXPECT_EQ(means, 6);
+}
+
 TEST(Campaign, EndsWithAllRealizationsCompleted) {
   const StudyFolder folder;
   const Result result = run(campaign(arguments(folder.study())));

@@ -72,6 +72,15 @@ TEST_F(Diagnose, FindsWhatIsMissingAndReusesItsRuns) {
   EXPECT_EQ(again.out, result.out);
   EXPECT_FALSE(std::filesystem::exists(folder.file("log")));
 
+  // The report of the study says so, too; that of another study would not.
+  ASSERT_EQ(
+      run(campaign({folder.file("sand.toml"), "--quiet", "--executor", FAKE_REALIZATION}), {law}).exit_code,
+      0);
+  const std::string page = folder.read("sand-report/index.html");
+  EXPECT_NE(page.find("Sand compacted near the surface can explain what the simulation lacks"),
+            std::string::npos);
+  EXPECT_NE(page.find("\"file\":\"d.sqlite\""), std::string::npos);
+
   // Another recording against the same study needs no more than its own fitted runs.
   write_recording("b.csv", 0.0);
   write_request("e", "b.csv");

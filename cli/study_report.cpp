@@ -1,0 +1,16 @@
+#include "cli/study_report.hpp"
+
+#include "reports/report.hpp"
+
+namespace cpt::cli {
+
+std::vector<std::filesystem::path> write_study_report(const results::Snapshot& campaign,
+                                                      const std::filesystem::path& database,
+                                                      const std::filesystem::path& directory,
+                                                      int reload_seconds) {
+  const auto folder = database.has_parent_path() ? database.parent_path() : std::filesystem::path(".");
+  return reports::write_report(campaign, directory,
+                               {diagnosis::read_answers(folder, campaign.campaign.name), {}, reload_seconds});
+}
+
+}  // namespace cpt::cli

@@ -1,0 +1,18 @@
+// The report of a study's database, as `campaign STUDY` and `campaign report` write it.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "results/snapshot.hpp"
+
+namespace cpt::cli {
+
+/// The report (see reports/report.hpp) with the answers of the study's diagnoses, which lie beside the
+/// database. A page with `reload_seconds` loads itself anew so often. Returns the files, the page first.
+std::vector<std::filesystem::path> write_study_report(const results::Snapshot& campaign,
+                                                      const std::filesystem::path& database,
+                                                      const std::filesystem::path& directory,
+                                                      int reload_seconds = 0);
+
+}  // namespace cpt::cli

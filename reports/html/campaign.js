@@ -1,0 +1,28 @@
+// The campaign: the JSON block "data" (made by reports/page.cpp) and what is looked up in it.
+"use strict";
+
+const data = JSON.parse(document.getElementById("data").textContent);
+
+for (const window of data.windows) window.name = window.window;
+const runs = data.realizations;
+const run_of = new Map(runs.map((run) => [run.id, run]));
+const baseline = runs.find((run) => run.side === "baseline");
+const parameter_of = new Map(data.parameters.map((p) => [p.name, p]));
+const waiting = (run) => run.status === "pending" || run.status === "running";
+const failed = (run) => !waiting(run) && run.status !== "completed";
+const mean_of = new Map(data.window_means.map((m) => [`${m.realization} ${m.window}`, m]));
+const mean = (run, window) => mean_of.get(`${run.id} ${window.name}`);
+const complete = runs.every((run) => run.status === "completed");
+const label_of = (p) => [...p.label, [p.unit && p.unit !== "-" ? ` (${p.unit})` : "", false]];
+const bound_run = (parameter, side) => runs.find((run) => run.parameter === parameter && run.side === side);
+const indices_in = (window) => data.sensitivity.filter((row) => row.window === window.name);
+const swing = (row) => Math.abs(row.q_upper_kPa - row.q_lower_kPa);
+const has_both = (row) => known(row.q_upper_kPa) && known(row.q_lower_kPa);
+
+/// A bound without result: why; nothing where the bound has one or is the baseline.
+function missing(row, side) {
+  if (known(row[`q_${side}_kPa`])) return "";
+  const run = bound_run(row.parameter, side);
+  if (!run) return "";
+  return `${run.value}: ${waiting(run) ? "not run yet" : run.status === "completed" ? "no value" : run.status}`;
+}

@@ -1,0 +1,180 @@
+#include "reports/supplement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "reports/labels.hpp"
+#include "reports/palette.hpp"
+
+namespace cpt::reports {
+namespace {
+
+using results::Snapshot;
+
+constexpr double column = 190.0 / 25.4 * 72.0;  // double column of a journal
+constexpr double left = 0.5 * (a4_width - column);
+constexpr double bottom = a4_height - 40.0;
+constexpr double text_size = 9.0, table_size = 7.5;
+
+/// Text broken into lines no wider than the column.
+std::vector<std::string> wrapped(const std::string& text, double size, double room) {
+  std::vector<std::string> lines(1);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || width(plain(longer), size) <= room)
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+    at = end + 1;
+  }
+  for (std::string& line : lines) line = shortened(line, room, size);
+  return lines;
+}
+
+/// Height of a figure over its width.
+double shape_of(const std::string& svg) {
+  constexpr std::string_view before = "viewBox=\"0 0 ";
+  std::istringstream size(svg.substr(svg.find(before) + before.size(), 40));
+  double wide = 1.0, high = 1.0;
+  size >> wide >> high;
+  return high / wide;
+}
+
+/// Writes downward; begins a new page where one is full.
+class Writer {
+ public:
+  void heading(const std::string& text, double size = 12.0) {
+    need(3.0 * size);
+    y_ += size + 6.0;
+    svg_.text({left, y_}, plain(shortened(text, column, size, true)), {.size = size, .bold = true});
+    y_ += 6.0;
+  }
+  void paragraph(const std::string& text) {
+    for (const std::string& line : wrapped(text, text_size, column)) {
+      need(1.4 * text_size);
+      svg_.text({left, y_ += 1.4 * text_size}, plain(line), {.size = text_size});
+    }
+    y_ += 4.0;
+  }
+  /// A row of a table; each cell is cut to its column's width.
+  void row(const std::vector<Rich>& cells, const std::vector<double>& widths, bool bold = false) {
+    need(1.5 * table_size);
+    y_ += 1.5 * table_size;
+    double x = left;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      std::string whole;
+      for (const Span& span : cells[k]) whole += span.text;
+      const double room = widths[k] - 6.0;
+      const bool fits = width(cells[k], table_size, bold) <= room;
+      svg_.text({x, y_}, fits ? cells[k] : plain(shortened(whole, room, table_size, bold)),
+                {.size = table_size, .bold = bold});
+      x += widths[k];
+    }
+    svg_.line({left, y_ + 3.0}, {left + column, y_ + 3.0},
+              {bold ? palette::ink : palette::grid, bold ? 0.8 : 0.4, {}});
+  }
+  void figure(const std::string& svg, const std::string& caption) {
+    const auto lines = wrapped(caption, text_size, column);
+    const double below = 1.4 * text_size * static_cast<double>(lines.size()) + 10.0;
+    const double height = std::min(column * shape_of(svg), bottom - top - below);
+    y_ += y_ > top ? 12.0 : 0.0;
+    need(height + below);
+    placed_.push_back({svg, {left, y_, column, height}});
+    y_ += height;
+    paragraph(caption);
+    y_ += 10.0;
+  }
+  std::vector<PdfPage> pages() {
+    end_page();
+    return std::move(pages_);
+  }
+
+ private:
+  static constexpr double top = 36.0;
+  void need(double height) {
+    if (y_ + height > bottom) new_page();
+  }
+  void new_page() {
+    end_page();
+    svg_ = Svg(a4_width, a4_height, "page");
+    y_ = top;
+  }
+  void end_page() {
+    if (y_ == top && placed_.empty()) return;
+    svg_.text({left + column, a4_height - 22.0}, plain(fmt::format("{}", pages_.size() + 1)),
+              {.size = 8.0, .anchor = Anchor::end, .color = palette::muted});
+    PdfPage page = {{svg_.document("page"), {0.0, 0.0, a4_width, a4_height}}};
+    page.insert(page.end(), placed_.begin(), placed_.end());
+    pages_.push_back(std::move(page));
+    placed_.clear();
+  }
+
+  Svg svg_{a4_width, a4_height, "page"};
+  double y_ = top;
+  PdfPage placed_;
+  std::vector<PdfPage> pages_;
+};
+
+void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& window) {
+  out.heading("Sensitivity: " + window.name);
+  if (!window.problem.empty()) return out.paragraph(window.problem);
+  auto rows = sensitivity_in(s, window.name);
+  if (rows.empty()) return out.paragraph("The study has no uncertain input.");
+  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
+    const auto rank = [](double si) { return si >= 0.0 ? si : -1.0; };
+    return rank(a.si_abs) > rank(b.si_abs);
+  });
+  out.paragraph(
+      fmt::format("Average cone resistance over {}: {} kPa in the baseline, whose noise index is {}. SI = (q "
+                  "at the upper bound − q "
+                  "at the lower bound) / q at the upper bound, after Yost et al. (2023), eq. 3.",
+                  depth_range(window.from_m, window.to_m), number(rows.front().q_baseline_kPa, 5),
+                  decimals(rows.front().si_noise, 4)));
+  const std::vector<double> widths = {58, 42, 44, 42, 68, 68, 42, column - 364};
+  out.row({plain("input"), plain("lower"), plain("baseline"), plain("upper"), plain("q lower (kPa)"),
+           plain("q upper (kPa)"), plain("SI (-)"), plain("note")},
+          widths, true);
+  for (const auto& row : rows) {
+    const auto& p = parameter_of(s, row.parameter);
+    const bool quiet = row.above_noise.has_value() && !*row.above_noise;
+    out.row({symbol_of(s, p) + unit_of(p), plain(p.lower_text), plain(p.baseline_text), plain(p.upper_text),
+             plain(number(row.q_lower_kPa, 5)), plain(number(row.q_upper_kPa, 5)), plain(decimals(row.si, 4)),
+             plain(!row.note.empty() ? row.note
+                   : quiet           ? "within the noise"
+                                     : "")},
+            widths);
+  }
+}
+
+}  // namespace
+
+std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure>& figures) {
+  Writer out;
+  out.heading(s.campaign.title, 16.0);
+  out.paragraph(state_of(s) + ".");
+  out.paragraph(fmt::format("Study {}, profile {}, preset {}; program {}, solver {}; campaign begun {}.",
+                            s.campaign.name, s.campaign.profile, s.campaign.preset,
+                            s.campaign.program_version, s.campaign.solver_version, s.campaign.created));
+  for (const auto& window : s.windows) write_indices(out, s, window);
+  const bool any_failed =
+      std::any_of(s.realizations.begin(), s.realizations.end(), [](const auto& run) { return run.failed(); });
+  if (any_failed) {
+    out.heading("Failed realizations");
+    const std::vector<double> widths = {30, 110, 90, column - 230};
+    out.row({plain("id"), plain("input"), plain("status"), plain("reason")}, widths, true);
+    for (const auto& run : s.realizations)
+      if (run.failed())
+        out.row({plain(fmt::format("{}", run.id)), run_label(s, run), plain(run.status), plain(run.reason)},
+                widths);
+  }
+  for (const NamedFigure& figure : figures)
+    if (figure.svg) out.figure(*figure.svg, figure.caption);
+  return out.pages();
+}
+
+}  // namespace cpt::reports

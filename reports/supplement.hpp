@@ -1,0 +1,18 @@
+// The report as pages of paper, for the supplement of a publication.
+#pragma once
+
+#include <vector>
+
+#include "reports/figure_files.hpp"
+#include "reports/pdf.hpp"
+#include "results/snapshot.hpp"
+
+namespace cpt::reports {
+
+/// A4 pages: what the campaign is; the inputs and their indices by window; each figure 190 mm wide, a
+/// journal's double column, with its caption; failures with their reasons. No type is smaller than 7.5 pt,
+/// subscripts aside.
+[[nodiscard]] std::vector<PdfPage> supplement(const results::Snapshot& campaign,
+                                              const std::vector<NamedFigure>& figures);
+
+}  // namespace cpt::reports

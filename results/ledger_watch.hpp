@@ -1,0 +1,24 @@
+// Notices that a campaign has got further.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "results/database.hpp"
+
+namespace cpt::results {
+
+/// Tells when another process has changed a ledger.
+class LedgerWatch {
+ public:
+  /// Throws as read_snapshot.
+  explicit LedgerWatch(const std::filesystem::path& database);
+  /// True if something was committed since the last call, and at the first one.
+  [[nodiscard]] bool changed();
+
+ private:
+  Database database_;
+  std::int64_t version_ = -1;
+};
+
+}  // namespace cpt::results
