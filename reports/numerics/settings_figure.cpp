@@ -31,7 +31,15 @@ Rich x_title(const Setting& setting) {
 
 // Over two decades and more a linear axis would put all but the largest value at its left end.
 bool wants_log(const Setting& setting) {
-  return setting.runs.front().value > 0.0 && setting.runs.back().value > 100.0 * setting.runs.front().value;
+  return setting.runs.front().value > 0.0 && setting.runs.back().value >= 100.0 * setting.runs.front().value;
+}
+
+// The ends of the axis, a little beyond the outermost marks.
+std::vector<Point> room_for_marks(const Setting& setting) {
+  const double low = setting.runs.front().value, high = setting.runs.back().value;
+  if (wants_log(setting)) return {};
+  if (is_refinement(setting)) return {{-0.03 / low, 0.0}, {1.03 / low, 0.0}};
+  return {{low - 0.03 * (high - low), 0.0}, {high + 0.03 * (high - low), 0.0}};
 }
 
 void add_window(XyPlot& plot, const NumericsStudy& study, const Setting& setting, const std::string& window,
@@ -53,7 +61,6 @@ void add_window(XyPlot& plot, const NumericsStudy& study, const Setting& setting
     for (const double y : {-half, half}) plot.curves.push_back({{{from, y}, {to, y}}, {color, 0.7, "3 2"}});
   }
   if (!is_refinement(setting)) return;
-  plot.room.push_back({0.0, 0.0});
   const auto triples = mesh_triples(study, window);
   if (!triples.empty() && triples.front().error.order >= results::least_order)
     plot.curves.push_back(
@@ -80,6 +87,7 @@ std::string settings_figure(const NumericsStudy& study) {
     XyPlot plot{x_title(setting), plain("change (%)"), {}};
     plot.log_x = wants_log(setting);
     plot.x_ticks = 4;
+    plot.room = room_for_marks(setting);
     for (std::size_t w = 0; w < campaign.windows.size(); ++w)
       add_window(plot, study, setting, campaign.windows[w].name, color_of(w));
     draw(svg, place(panel++), plot);
