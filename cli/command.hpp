@@ -20,6 +20,7 @@ void add_query(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_element(CLI::App& program, Action& action);
 void add_list(CLI::App& program, Action& action);
+void add_numerics(CLI::App& program, Action& action);
 void add_paper(CLI::App& program, Action& action);
 void add_conceal(CLI::App& program, Action& action);
 void add_reveal(CLI::App& program, Action& action);

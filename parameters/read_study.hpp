@@ -2,7 +2,7 @@
 //
 //   title = "Homogeneous sand"            # optional; default: the file's name
 //   profile = "homogeneous_sand"          # required: homogeneous_sand, homogeneous_clay, layered_sand_clay
-//   preset = "quick"                      # quick, standard (default), paper
+//   preset = "quick"                      # quick, standard (default), paper, fine
 //
 //   [output]                              # optional; relative paths start at the study file's folder
 //   database = "sand.sqlite"              # default NAME.sqlite for the study NAME.toml

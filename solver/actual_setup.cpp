@@ -1,5 +1,7 @@
 #include "solver/actual_setup.hpp"
 
+#include "solver/refinement.hpp"
+
 namespace cpt::solver {
 
 Setup actual_setup(const Setup& setup) {
@@ -15,6 +17,7 @@ Setup actual_setup(const Setup& setup) {
   mechanisms.overconsolidation = {};
   mechanisms.layer_shift = {};
   mechanisms.worn_cone = {};
+  actual.numerics = refined(setup.numerics);
   return actual;
 }
 

@@ -36,11 +36,10 @@ void build_columns(const Setup& setup, MeshLayout& layout) {
 
   // Widths grow geometrically to the far width, then everything beyond the near columns is scaled to the
   // wall.
-  const double growth = 1.15;
   const std::size_t first = r.size() - 1;
   double width = near_width;
   while (r.back() < R - 1e-12) {
-    width = std::min(width * growth, numerics.far_width);
+    width = std::min(width * numerics.width_growth, numerics.far_width);
     r.push_back(r.back() + width);
   }
   if (r.size() - first > 2 && r.back() - R > width / 2.0) r.pop_back();

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::array profiles = {Profile::homogeneous_sand, Profile::homogeneous_clay,
                                  Profile::layered_sand_clay};
-constexpr std::array presets = {Preset::quick, Preset::standard, Preset::paper};
+constexpr std::array presets = {Preset::quick, Preset::standard, Preset::paper, Preset::fine};
 
 void set_profile(Setup& setup, Profile profile) {
   const double bottom = setup.chamber.soil_height;
@@ -42,6 +42,14 @@ void set_resolution(Setup& setup, Preset preset) {
     case Preset::paper:  // 71 000 material points over 2 m: Yost et al. (2023), section 4.1
       // Printed as 0.31 m wide, the outermost zone is 0.21 m wide in a chamber of 0.45 m.
       numerics.zones = {{0.06, 70, 325.0}, {0.12, 25, 200.0}, {0.24, 35, 150.0}, {0.45, 20, 125.0}};
+      setup.chamber.surcharge_height = 1.0;
+      break;
+    case Preset::fine:  // 123 000 over 2 m: cells at the cone half as wide and high as the paper's
+      numerics.zones = {{0.06, 70, 650.0}, {0.12, 25, 200.0}, {0.24, 35, 200.0}, {0.45, 20, 200.0}};
+      numerics.face_elements = 4;
+      numerics.near_height = 0.0031625;
+      numerics.near_width_radius = 0.04;
+      numerics.coarse_rows_radius = 0.06;
       setup.chamber.surcharge_height = 1.0;
       break;
     case Preset::standard:  // 46 000 over 1.5 m, the penetrometer's place included
@@ -88,6 +96,8 @@ std::string_view to_string(Preset preset) {
       return "standard";
     case Preset::paper:
       return "paper";
+    case Preset::fine:
+      return "fine";
   }
   return "";
 }

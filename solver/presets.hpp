@@ -1,4 +1,4 @@
-// Named starting points: the three soil profiles of Yost et al. (2023) and three resolutions.
+// Named starting points: the three soil profiles of Yost et al. (2023) and four resolutions.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 namespace cpt::solver {
 
 enum class Profile { homogeneous_sand, homogeneous_clay, layered_sand_clay };
-enum class Preset { quick, standard, paper };
+enum class Preset { quick, standard, paper, fine };
 
 /// The baseline setup of a profile at a resolution. Every field can be overridden afterwards.
 [[nodiscard]] Setup make_setup(Profile profile, Preset preset);

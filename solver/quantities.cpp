@@ -18,6 +18,12 @@ void set_soil_height(Setup& setup, double value) {
   if (!setup.layers.empty()) setup.layers.back().bottom = value;
 }
 
+// Of an input that came after results had been stored.
+Quantity silent(Quantity quantity) {
+  quantity.silent_default = true;
+  return quantity;
+}
+
 constexpr std::string_view table_1 = "Yost et al. (2023), Table 1";
 constexpr std::string_view table_2 = "Yost et al. (2023), Table 2";
 constexpr std::string_view table_3 = "Yost et al. (2023), Table 3";
@@ -169,6 +175,9 @@ std::vector<Quantity> numerics_quantities() {
           "radius up to which columns keep the near width", numerical),
       number<group, &Numerics::far_width>("numerics.far_width_m", "w_far", metres, 0.002, 0.5, any_soil,
                                           "column width at the wall", numerical),
+      silent(number<group, &Numerics::width_growth>(
+          "numerics.width_growth", "g_w", none, 1.0, 2.0, any_soil,
+          "width of a column over its inner neighbour's, from the near to the far width", numerical)),
       number<group, &Numerics::coarse_rows_radius>(
           "numerics.coarse_rows_radius_m", "r_coarse", metres, 0.01, 5.0, any_soil,
           "radius beyond which rows are joined two by two", numerical),
@@ -182,6 +191,12 @@ std::vector<Quantity> numerics_quantities() {
       number<group, &Numerics::above_height>("numerics.above_height_m", "Δz_above", metres, 0.001, 0.2,
                                              any_soil, "row height of the stretching zone at the start",
                                              numerical),
+      silent(number<group, &Numerics::refinement>(
+          "numerics.refinement", "r", none, 0.5, 8.0, any_soil,
+          "divides all lengths of the mesh and the spacing of the material points", numerical)),
+      silent(number<group, &Numerics::point_density>("numerics.point_density", "f_point", none, 0.25, 16.0,
+                                                     any_soil, "factor on the material points in a cell",
+                                                     numerical)),
       number<group, &Numerics::point_shift>("numerics.point_shift", "shift", none, -0.5, 0.5, any_soil,
                                             "shift of the grid of material points over their spacing",
                                             numerical),
@@ -219,8 +234,10 @@ std::vector<Quantity> make_list() {
   for (auto part :
        {sand_quantities, clay_quantities, boundary_quantities, penetrometer_quantities, numerics_quantities})
     for (Quantity& quantity : part()) list.push_back(std::move(quantity));
+  // A mechanism that is off leaves no trace: results stay valid when the catalogue grows.
   for (const Mechanism& mechanism : all_mechanisms())
-    for (const MechanismParameter& parameter : mechanism.parameters) list.push_back(parameter.quantity);
+    for (const MechanismParameter& parameter : mechanism.parameters)
+      list.push_back(silent(parameter.quantity));
   return list;
 }
 
@@ -263,8 +280,7 @@ std::string canonical_text(const Setup& setup) {
   std::string text;
   for (const Quantity& quantity : all_quantities()) {
     const double value = quantity.value(setup);
-    // A mechanism that is off leaves no trace: results stay valid when the catalogue grows.
-    if (is_mechanism_parameter(quantity.name) && quantity.get(setup) == quantity.get(defaults)) continue;
+    if (quantity.silent_default && quantity.get(setup) == quantity.get(defaults)) continue;
     text += fmt::format("{} = {}", quantity.name, quantity.format(value));
     const double si = quantity.get(setup);
     if (value * quantity.scale != si)

@@ -26,6 +26,8 @@ struct Quantity {
   std::string_view source;      ///< where the default or range comes from
   double (*get)(const Setup&);  ///< value in SI (index into `choices` for a choice)
   void (*set)(Setup&, double);  ///< value in SI (index into `choices` for a choice)
+  /// Left out of canonical_text at its default, so that results stored before it was listed stay valid.
+  bool silent_default = false;
 
   /// Value in study units, the index for a choice: the shortest number that set_value turns into the same SI
   /// value.
@@ -51,7 +53,8 @@ struct Problem {
 [[nodiscard]] std::vector<Problem> problems(const Setup& setup);
 
 /// All inputs, layers and zones of material points, one "name = value" line each in study units. Values read
-/// back to the same double, so that equal texts mean equal runs.
+/// back to the same double, so that equal texts mean equal runs. Quantities with a silent default are left
+/// out where they have it.
 [[nodiscard]] std::string canonical_text(const Setup& setup);
 
 }  // namespace cpt::solver

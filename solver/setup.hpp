@@ -101,12 +101,15 @@ struct Numerics {
   double near_height = 0.006325;     // [m] cell height around the tip
   double near_width_radius = 0.06;   // [m] columns keep about the near width up to here, then widen
   double far_width = 0.025;          // [m] column width at the wall
+  double width_growth = 1.15;        // [-] beyond the near width: a column's width over its inner neighbour's
   double coarse_rows_radius = 0.12;  // [m] beyond this radius rows are joined two by two
   double zone_below = 0.12;          // [m] moving zone: extent below the tip
   double zone_above = 0.12;          // [m] moving zone: extent above the shoulder
   double below_height = 0.030;       // [m] height of the rows of the compressing zone at the start
   double above_height = 0.0125;      // [m] height of the rows of the stretching zone at the start
   std::vector<PointZone> zones = {{0.06, 70, 325.0}, {0.12, 25, 200.0}, {0.24, 35, 150.0}, {0.45, 20, 125.0}};
+  double refinement = 1.0;      // [-] all lengths of the mesh and the points' spacing over this
+  double point_density = 1.0;   // [-] factor on the material points in a cell
   double point_shift = 0.0;     // [-] shift of the point grid, fraction of the spacing, in [-0.5, 0.5]
   double courant = 0.95;        // [-]
   double mass_scaling = 1.0e4;  // [-] on inertia only

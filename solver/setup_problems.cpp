@@ -8,6 +8,7 @@
 #include "solver/constitutive/norsand.hpp"
 #include "solver/initial_state.hpp"
 #include "solver/quantities.hpp"
+#include "solver/refinement.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -154,6 +155,13 @@ void Check::geometry() {
   if (numerics.near_width_radius >= setup_.chamber.radius)
     add("numerics.near_width_radius_m",
         fmt::format("{} must be below {}", given("numerics.near_width_radius_m"), given("chamber.radius_m")));
+  const double elements = numerics.face_elements * numerics.refinement;
+  const Quantity& most = *find_quantity("numerics.face_elements");
+  if (elements != std::round(elements) || elements < most.min || elements > most.max)
+    add("numerics.refinement",
+        fmt::format(
+            "{} times {} is {:g}: the elements over the cone's radius must be a whole number, {} to {}",
+            given("numerics.refinement"), given("numerics.face_elements"), elements, most.min, most.max));
   if (penetrometer.final_depth <= face_height())
     add("penetrometer.final_depth_m",
         fmt::format("{} must exceed {:.4f} m, the depth of the tip at the start (the cone's height)",
@@ -189,7 +197,11 @@ bool Check::zones() {
 // A cell lower or narrower than the spacing of the material points is sure to be empty at some time, and
 // empty cells ruin a run. A margin of 1.2 is advisable; only the impossible is refused.
 void Check::cells() {
-  const Numerics& numerics = setup_.numerics;
+  const Numerics numerics = refined(setup_.numerics);
+  const auto cause = [&](std::string_view quantity) {
+    return given(quantity) +
+           (setup_.numerics.point_density < 1.0 ? " and " + given("numerics.point_density") : "");
+  };
   const auto refuse_low_rows = [&](std::string_view quantity, double height, std::string_view where) {
     double inner = 0.0;
     for (const PointZone& zone : numerics.zones) {
@@ -200,7 +212,7 @@ void Check::cells() {
         return add(quantity,
                    fmt::format("with {}, cells {} are {:.2f} mm high in the zone up to {} m, less than the "
                                "{:.2f} mm between its rows of material points: cells would be empty",
-                               given(quantity), where, cell * 1e3, zone.outer_radius, spacing * 1e3));
+                               cause(quantity), where, cell * 1e3, zone.outer_radius, spacing * 1e3));
       inner = zone.outer_radius;
     }
   };
@@ -220,7 +232,7 @@ void Check::cells() {
         fmt::format("with {}, cells at the cone are {:.2f} mm wide, less than the {:.2f} mm between columns "
                     "of material "
                     "points: cells would be empty",
-                    given("numerics.face_elements"), near_width * 1e3, spacing * 1e3));
+                    cause("numerics.face_elements"), near_width * 1e3, spacing * 1e3));
 }
 
 }  // namespace

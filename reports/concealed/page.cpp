@@ -9,7 +9,7 @@
 #include "reports/concealed/figures.hpp"
 #include "reports/concealed/scores.hpp"
 #include "reports/figure_files.hpp"
-#include "reports/paper/markdown.hpp"
+#include "reports/markdown.hpp"
 #include "reports/text.hpp"
 
 namespace cpt::reports::concealed {
@@ -18,8 +18,6 @@ namespace {
 using diagnosis::none_of_these;
 using diagnosis::nothing_is_missing;
 using diagnosis::Proportion;
-using paper::table_head;
-using paper::table_line;
 using Benchmarks = std::vector<Benchmark>;
 
 std::string percent(double share) { return std::isfinite(share) ? decimals(100.0 * share, 0) + " %" : "–"; }

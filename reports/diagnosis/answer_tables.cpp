@@ -4,13 +4,10 @@
 #include "reports/diagnosis/errors.hpp"
 #include "reports/diagnosis/tables.hpp"
 #include "reports/diagnosis/words.hpp"
-#include "reports/paper/markdown.hpp"
+#include "reports/markdown.hpp"
 #include "reports/text.hpp"
 
 namespace cpt::reports::diagnosed {
-
-using paper::table_head;
-using paper::table_line;
 
 std::string hypotheses_table(const DiagnosisInput& input) {
   const auto& hypotheses = input.diagnosis.hypotheses;

@@ -3,14 +3,11 @@
 
 #include "reports/diagnosis/tables.hpp"
 #include "reports/diagnosis/words.hpp"
-#include "reports/paper/markdown.hpp"
+#include "reports/markdown.hpp"
 #include "reports/text.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
-
-using paper::table_head;
-using paper::table_line;
 
 std::string describe(const diagnosis::NoiseModel& noise) {
   return fmt::format("standard deviation {}, correlation length {} mm, {}",

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "reports/markdown.hpp"
 #include "reports/paper/findings.hpp"
-#include "reports/paper/markdown.hpp"
 
 namespace cpt::reports::paper {
 namespace {

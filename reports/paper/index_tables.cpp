@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "reports/labels.hpp"
-#include "reports/paper/markdown.hpp"
+#include "reports/markdown.hpp"
 #include "reports/paper/ranking.hpp"
 #include "reports/text.hpp"
 #include "results/window_noise.hpp"

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "reports/labels.hpp"
+#include "reports/markdown.hpp"
 #include "reports/paper/compare.hpp"
 #include "reports/paper/finding_tables.hpp"
 #include "reports/paper/index_tables.hpp"
-#include "reports/paper/markdown.hpp"
 #include "reports/paper/push_measures.hpp"
 
 namespace cpt::reports::paper {

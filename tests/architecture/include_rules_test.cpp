@@ -45,7 +45,8 @@ const std::vector<Outside> outside = {
     {"librsvg/.*|cairo.*", {"reports/"}},
     {"Eigen/.*", {"solver/", "parameters/calibration/trend.cpp", "diagnosis/"}},
     {"boost/math/.*",
-     {"parameters/calibration/hardening.cpp", "results/window_noise.cpp", "diagnosis/scoring.cpp"}},
+     {"parameters/calibration/hardening.cpp", "results/discretization_error.cpp", "results/repeat_noise.cpp",
+      "results/window_noise.cpp", "diagnosis/scoring.cpp"}},
     {"omp\\.h|immintrin\\.h", {"solver/"}},
     // The operating system: locks on files, processes, the terminal.
     {"(sys/[a-z]+|fcntl|unistd)\\.h", {"results/", "campaign/"}},

@@ -23,8 +23,8 @@ TEST(CommandLine, HelpHasExamplesAndExitCodes) {
     expect_has(result.out, "Exit codes:");
     expect_has(result.out, "rerun");
   }
-  for (const char* command :
-       {"run", "rerun", "query", "report", "push", "paper", "element", "recording", "diagnose", "list"})
+  for (const char* command : {"run", "rerun", "query", "report", "push", "paper", "numerics", "element",
+                              "recording", "diagnose", "list"})
     EXPECT_EQ(run(campaign({command, "--help"})).exit_code, 0) << command;
 }
 
@@ -63,6 +63,7 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
       {{"push", folder.study(), "--track", "0.02,1.5"}, "must be 0 to 1 m, the soil's bottom"},
       {{"push", folder.study(), "--wall-between", "0.4,0.4"}, "the first depth must be the smaller one"},
       {{"push", folder.study(), "--radial-between", "0.4,0.2"}, "the first depth must be the smaller one"},
+      {{"numerics"}, "STUDY|DB is required"},
       {{"recording", "/nowhere/a.gef"}, "/nowhere/a.gef: error: found no file that can be read"},
       {{"recording", "a.csv", "--column", "q_c_MPa"}, "must be QUANTITY=NAME"},
       {{"recording", "a.csv", "--column", "q_c_m=qc"}, "'q_c_m' is no quantity; known are depth_m"},

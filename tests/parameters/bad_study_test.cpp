@@ -49,7 +49,7 @@ TEST(BadStudy, Sections) {
       {"profile = \"homogenous_sand\"\n" + window, 1, "profile", "is not one of", "\"homogeneous_sand\"?"},
       {"profile = 3\n" + window, 1, "profile", "must be a text, not a number", ""},
       {"profile = \"\"\n" + window, 1, "profile", "must not be empty", ""},
-      {profile + "preset = \"Quick\"\n" + window, 2, "preset", "is not one of quick, standard, paper",
+      {profile + "preset = \"Quick\"\n" + window, 2, "preset", "is not one of quick, standard, paper, fine",
        "\"quick\"?"},
       {profile + "preset = true\n" + window, 2, "preset", "must be a text, not true or false", ""},
       {profile + "titel = \"x\"\n" + window, 2, "titel", "unknown key", "did you mean title?"},

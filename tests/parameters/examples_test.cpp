@@ -27,7 +27,7 @@ void expect_study(const std::string& name, Profile profile, Preset preset, std::
   EXPECT_EQ(one_at_a_time(study).size(), realizations) << name;
 }
 
-TEST(Examples, HaveTheRealizationsOfThePaper) {
+TEST(Examples, HaveTheirRealizations) {
   expect_study("sens.toml", Profile::homogeneous_sand, Preset::quick, 21);
   expect_study("paper/homogeneous_sand.toml", Profile::homogeneous_sand, Preset::paper, 21);
   expect_study("paper/homogeneous_clay.toml", Profile::homogeneous_clay, Preset::paper, 12);
@@ -37,6 +37,10 @@ TEST(Examples, HaveTheRealizationsOfThePaper) {
   expect_study("paper/dense_flexible.toml", Profile::homogeneous_sand, Preset::paper, 2);
   expect_study("paper/second_push.toml", Profile::homogeneous_sand, Preset::paper, 2);
   expect_study("paper/image_pressure.toml", Profile::homogeneous_sand, Preset::paper, 3);
+  expect_study("numerics/sand.toml", Profile::homogeneous_sand, Preset::quick, 19);
+  expect_study("numerics/clay.toml", Profile::homogeneous_clay, Preset::quick, 20);
+  expect_study("numerics/sand_fine.toml", Profile::homogeneous_sand, Preset::fine, 1);
+  expect_study("numerics/clay_fine.toml", Profile::homogeneous_clay, Preset::fine, 1);
 }
 
 // Yost et al. (2023), sections 6.2 and 6.3: what the chamber's studies change, and nothing else.

@@ -18,7 +18,7 @@ double grid_points(const solver::Setup& setup) {
 
 TEST(Presets, NamesComeBack) {
   ASSERT_EQ(all_profiles().size(), 3u);
-  ASSERT_EQ(all_presets().size(), 3u);
+  ASSERT_EQ(all_presets().size(), 4u);
   for (const Profile profile : all_profiles()) EXPECT_EQ(profile_from_string(to_string(profile)), profile);
   for (const Preset preset : all_presets()) EXPECT_EQ(preset_from_string(to_string(preset)), preset);
   EXPECT_EQ(profile_from_string("sand"), std::nullopt);
@@ -30,9 +30,18 @@ TEST(Presets, ResolutionRises) {
     return grid_points(make_setup(Profile::homogeneous_sand, preset));
   };
   EXPECT_EQ(points(Preset::paper), 71000.0);  // Yost et al. (2023), section 4.1
+  EXPECT_EQ(points(Preset::fine), 123000.0);
   EXPECT_LT(points(Preset::standard), 50000.0);
   EXPECT_GT(points(Preset::standard), 40000.0);
   EXPECT_LT(points(Preset::quick), 15000.0);
+}
+
+TEST(Presets, FineHalvesTheCellsAtTheCone) {
+  const Numerics paper = make_setup(Profile::homogeneous_clay, Preset::paper).numerics;
+  const Numerics fine = make_setup(Profile::homogeneous_clay, Preset::fine).numerics;
+  EXPECT_EQ(fine.face_elements, 2 * paper.face_elements);
+  EXPECT_EQ(fine.near_height, 0.5 * paper.near_height);
+  EXPECT_EQ(fine.zones.front().rows_per_metre, 2.0 * paper.zones.front().rows_per_metre);
 }
 
 TEST(Presets, ProfilesDifferFromThePaperInNothingButTheirResolution) {

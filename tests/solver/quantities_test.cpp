@@ -187,6 +187,22 @@ TEST(CanonicalText, ChangesWithEveryInput) {
   EXPECT_EQ(canonical_text(setup), canonical_text(make_setup(Profile::layered_sand_clay, Preset::quick)));
 }
 
+TEST(CanonicalText, SilentDefaultsLeaveNoTrace) {
+  const solver::Setup setup = make_setup(Profile::homogeneous_sand, Preset::paper);
+  const std::string text = canonical_text(setup);
+  std::size_t silent = 0;
+  for (const Quantity& q : all_quantities()) {
+    EXPECT_EQ(text.find(q.name) == std::string::npos, q.silent_default) << q.name;
+    silent += q.silent_default ? 1 : 0;
+  }
+  EXPECT_GE(silent, 3U);
+  EXPECT_TRUE(quantity("numerics.refinement").silent_default);
+  EXPECT_FALSE(quantity("numerics.courant").silent_default);
+  solver::Setup refined = setup;
+  refined.numerics.refinement = 2.0;
+  EXPECT_NE(canonical_text(refined).find("numerics.refinement = 2\n"), std::string::npos);
+}
+
 TEST(CanonicalText, IsALineAnInput) {
   const std::string text = canonical_text(make_setup(Profile::homogeneous_sand, Preset::paper));
   for (const char* line :

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <sstream>
 
+#include "reports/markdown.hpp"
 #include "reports/paper/figures.hpp"
 #include "reports/paper/index_tables.hpp"
-#include "reports/paper/markdown.hpp"
 #include "reports/paper/write_paper.hpp"
 #include "tests/reports/paper/paper_campaigns.hpp"
 

@@ -1,6 +1,6 @@
-#include "reports/paper/markdown.hpp"
+#include "reports/markdown.hpp"
 
-namespace cpt::reports::paper {
+namespace cpt::reports {
 
 std::string table_line(const std::vector<std::string>& cells) {
   std::string line = "|";
@@ -19,4 +19,4 @@ std::string table_head(const std::vector<std::string>& columns) {
   return table_line(columns) + table_line(std::vector<std::string>(columns.size(), "---"));
 }
 
-}  // namespace cpt::reports::paper
+}  // namespace cpt::reports
