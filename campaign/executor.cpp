@@ -13,8 +13,9 @@ std::vector<Message> Executor::service(double now) {
   for (auto item = processes_.begin(); item != processes_.end();) {
     const int realization = item->first;
     RealizationProcess::News news = item->second->service(now);
+    for (std::string& text : news.remarks) messages.emplace_back(Remark{realization, std::move(text)});
     if (news.outcome) {
-      messages.emplace_back(OutcomeReport{realization, std::move(*news.outcome)});
+      messages.emplace_back(OutcomeReport{realization, std::move(*news.outcome), news.interrupted});
       item = processes_.erase(item);
       continue;
     }
@@ -22,6 +23,10 @@ std::vector<Message> Executor::service(double now) {
     ++item;
   }
   return messages;
+}
+
+void Executor::ask_all_to_end() {
+  for (const auto& [realization, process] : processes_) process->ask_to_end();
 }
 
 void Executor::nap(double seconds) const {

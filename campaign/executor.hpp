@@ -20,6 +20,8 @@ class Executor {
   [[nodiscard]] std::vector<Message> service(double now);
   /// Sleeps until a realization has news, a signal arrives, or `seconds` have passed.
   void nap(double seconds) const;
+  /// Asks all realizations to keep their states and end; their outcomes follow, most as interrupted.
+  void ask_all_to_end();
   void kill_all() { processes_.clear(); }
   [[nodiscard]] std::size_t running() const { return processes_.size(); }
 
@@ -27,6 +29,9 @@ class Executor {
   std::vector<std::string> command_;
   std::map<int, std::unique_ptr<RealizationProcess>> processes_;  // by realization
 };
+
+/// For so long [s] realizations that were asked to end may take to keep their states; then they are killed.
+inline constexpr double stop_grace = 10.0;
 
 /// Length of the next sleep between polls: short after something happened, doubling to `longest` while
 /// nothing does, so that a waiting rank reacts at once and still leaves its core alone.

@@ -26,9 +26,17 @@ void exchange(Archive& archive, MaybeConst<OutcomeReport> auto& report) {
   static_assert(sizeof(solver::DepthProfile) == 3 * sizeof(std::vector<double>), "send the new profile too");
   auto& outcome = report.outcome;
   archive(report.realization, outcome.status, outcome.reason, outcome.profile.depth, outcome.profile.q_c,
-          outcome.profile.f_s, outcome.audit, outcome.steps, outcome.material_points, outcome.wall_seconds);
+          outcome.profile.f_s, outcome.audit, outcome.steps, outcome.material_points, outcome.wall_seconds,
+          report.interrupted);
 }
 
+template <class Archive>
+void exchange(Archive& archive, MaybeConst<Remark> auto& remark) {
+  archive(remark.realization, remark.text);
+}
+
+template <class Archive>
+void exchange(Archive&, MaybeConst<Stop> auto&) {}
 template <class Archive>
 void exchange(Archive&, MaybeConst<Leaving> auto&) {}
 template <class Archive>
@@ -41,7 +49,8 @@ void exchange(ByteWriter& archive, const Order& order) {
   for (const solver::Quantity& quantity : solver::all_quantities())
     values.push_back(quantity.get(order.setup));
   archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, values,
-          order.setup.layers, order.setup.numerics.zones, solver::canonical_text(order.setup));
+          order.setup.layers, order.setup.numerics.zones, solver::canonical_text(order.setup),
+          order.checkpoint, order.checkpoint_seconds);
 }
 
 void exchange(ByteReader& archive, Order& order) {
@@ -50,7 +59,7 @@ void exchange(ByteReader& archive, Order& order) {
   std::vector<solver::PointZone> zones;
   std::string text;
   archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, values,
-          layers, zones, text);
+          layers, zones, text, order.checkpoint, order.checkpoint_seconds);
   const auto quantities = solver::all_quantities();
   if (values.size() != quantities.size()) throw MalformedMessage("order of another program version");
   for (std::size_t i = 0; i < values.size(); ++i) quantities[i].set(order.setup, values[i]);

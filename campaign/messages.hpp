@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 
 #include "campaign/bytes.hpp"
@@ -26,6 +27,8 @@ struct Order {
   double wall_limit_seconds = std::numeric_limits<double>::infinity();
   double hang_limit_seconds = 300.0;  ///< without a step forward
   solver::Setup setup;
+  std::string checkpoint = {};  ///< file to go on from and to keep the state in; empty: none
+  double checkpoint_seconds = std::numeric_limits<double>::infinity();  ///< between two states kept
 };
 
 struct ProgressReport {
@@ -36,15 +39,25 @@ struct ProgressReport {
 struct OutcomeReport {
   int realization = 0;
   solver::Outcome outcome;
+  bool interrupted = false;  ///< told to end from outside: no outcome to record, to be run again
 };
 
-/// A worker was told to stop by a signal; it has killed its realizations.
+/// Something about a realization that its user should know.
+struct Remark {
+  int realization = 0;
+  std::string text;
+};
+
+/// The master asks a worker to stop as a signal would.
+struct Stop {};
+
+/// A worker was told to stop; its realizations have ended.
 struct Leaving {};
 
 /// The master has no more work.
 struct Dismissed {};
 
-using Message = std::variant<Hello, Order, ProgressReport, OutcomeReport, Leaving, Dismissed>;
+using Message = std::variant<Hello, Order, ProgressReport, OutcomeReport, Remark, Stop, Leaving, Dismissed>;
 
 [[nodiscard]] Bytes encode(const Message& message);
 /// Throws MalformedMessage. A decoded order's setup has the sender's canonical text, or decoding fails.

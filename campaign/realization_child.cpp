@@ -1,5 +1,6 @@
 #include "campaign/realization_child.hpp"
 
+#include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -9,12 +10,16 @@
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <new>
 #include <optional>
 #include <string>
 
 #include "campaign/clock.hpp"
 #include "campaign/descriptors.hpp"
 #include "campaign/messages.hpp"
+#include "campaign/stop_signals.hpp"
+#include "results/checkpoint.hpp"
 
 namespace cpt::campaign {
 namespace {
@@ -54,10 +59,15 @@ std::optional<Order> receive_order() {
   }
 }
 
-// Passes progress on a few times a second.
+bool send_remark(int realization, std::string text) {
+  return send_rest(frame(Remark{realization, std::move(text)}));
+}
+
+// Passes progress on a few times a second and keeps checkpoints.
 class Reporter final : public solver::Observer {
  public:
-  explicit Reporter(int realization) : realization_(realization) {}
+  explicit Reporter(const Order& order)
+      : order_(order), realization_(order.realization), last_kept_(monotonic_seconds()) {}
 
   void progress(const solver::Progress& progress) override {
     const double now = monotonic_seconds();
@@ -75,10 +85,59 @@ class Reporter final : public solver::Observer {
     return true;
   }
 
+  bool state_wanted() override {
+    if (order_.checkpoint.empty() || unwritable_) return false;
+    return termination_asked != 0 || monotonic_seconds() > last_kept_ + order_.checkpoint_seconds;
+  }
+
+  void keep_state(solver::PushState state) override {
+    last_kept_ = monotonic_seconds();
+    try {
+      results::write_checkpoint(order_.checkpoint, order_.setup, state);
+    } catch (const results::Error& problem) {
+      unwritable_ = true;
+      send_remark(realization_, fmt::format("no checkpoints: {}", problem.what()));
+    }
+  }
+
  private:
+  const Order& order_;
   int realization_;
-  double next_ = 0.0;
+  double next_ = 0.0;  // [s] when progress is due
+  double last_kept_;   // [s]
+  bool unwritable_ = false;
 };
+
+// The state to go on from, if there is a good one.
+std::optional<solver::PushState> kept_state(const Order& order) {
+  if (order.checkpoint.empty()) return std::nullopt;
+  try {
+    return results::read_checkpoint(order.checkpoint, order.setup);
+  } catch (const results::Error& problem) {
+    send_remark(order.realization,
+                fmt::format("starts afresh; its checkpoint is of no use: {}", problem.what()));
+    return std::nullopt;
+  }
+}
+
+solver::Outcome run(const Order& order, const Simulate& simulate) {
+  Reporter reporter(order);
+  solver::Execution execution{order.threads, order.wall_limit_seconds};
+  if (const std::optional<solver::PushState> state = kept_state(order)) {
+    execution.resume = &*state;
+    try {
+      if (const auto depth = state->find("push.depth"); depth != state->end())
+        send_remark(order.realization,
+                    fmt::format("goes on from its checkpoint at {:.1f} mm depth", depth->second.at(0) * 1e3));
+      return simulate(order.setup, reporter, execution);
+    } catch (const solver::StateMismatch& problem) {
+      send_remark(order.realization, fmt::format("starts afresh; its checkpoint is of no use: {}: {}",
+                                                 order.checkpoint, problem.what()));
+      execution.resume = nullptr;
+    }
+  }
+  return simulate(order.setup, reporter, execution);
+}
 
 }  // namespace
 
@@ -86,7 +145,8 @@ int serve_realization(const Simulate& simulate) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   struct sigaction action {};
   action.sa_handler = ask_termination;
-  ::sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : stop_signals) ::sigaction(signal, &action, nullptr);
+  ::signal(SIGXFSZ, SIG_IGN);  // a checkpoint beyond the limit of file sizes is an error like others
 
   OutcomeReport report;
   try {
@@ -97,8 +157,11 @@ int serve_realization(const Simulate& simulate) {
     }
     report.realization = order->realization;
     ::prctl(PR_SET_NAME, ("realization " + std::to_string(order->realization)).c_str());  // for top and ps
-    Reporter reporter(order->realization);
-    report.outcome = simulate(order->setup, reporter, {order->threads, order->wall_limit_seconds});
+    report.outcome = run(*order, simulate);
+    report.interrupted = termination_asked != 0 && report.outcome.status == solver::Status::time_limit;
+  } catch (const std::bad_alloc&) {
+    std::fputs("out of memory\n", stderr);
+    return 1;
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "%s\n", problem.what());
     return 1;

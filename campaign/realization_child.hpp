@@ -11,7 +11,9 @@ using Simulate =
     std::function<solver::Outcome(const solver::Setup&, solver::Observer&, const solver::Execution&)>;
 
 /// Serves the parent at descriptor 3 and returns the process's exit code. The process dies with its parent;
-/// SIGTERM asks `simulate` to stop, and what it has so far is still sent.
+/// the stop signals ask `simulate` to stop, and what it has so far is still sent. The order's checkpoint, if
+/// it is whole and of the same settings, is where `simulate` goes on; a new one is written at the order's
+/// intervals and before stopping. One that cannot be used or written is remarked on, no more.
 [[nodiscard]] int serve_realization(const Simulate& simulate);
 
 }  // namespace cpt::campaign

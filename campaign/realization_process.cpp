@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "campaign/descriptors.hpp"
+#include "campaign/stop_signals.hpp"
 
 namespace cpt::campaign {
 namespace {
@@ -63,7 +64,8 @@ int spawn(pid_t& pid, const std::vector<std::string>& command, int channel, int 
   sigset_t standard;
   sigemptyset(&none);
   sigemptyset(&standard);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) sigaddset(&standard, signal);
+  for (const int signal : stop_signals) sigaddset(&standard, signal);
+  for (const int signal : {SIGPIPE, SIGXFSZ}) sigaddset(&standard, signal);
   posix_spawnattr_setsigmask(&attributes, &none);
   posix_spawnattr_setsigdefault(&attributes, &standard);
   posix_spawnattr_setpgroup(&attributes, 0);
@@ -156,6 +158,7 @@ RealizationProcess::News RealizationProcess::service(double now) {
   if (gone) {
     pid_ = -1;
     close_descriptor(channel_);
+    news.interrupted = interrupted(wait_status);
     news.outcome = conclude(wait_status, now);
   } else {
     enforce_limits(now);
@@ -193,7 +196,11 @@ void RealizationProcess::accept(Message message, News& news, double now) {
     if (end->outcome.status == solver::Status::completed && !usable(end->outcome.profile))
       throw MalformedMessage("a completed run without a finite depth profile");
     outcome_ = std::move(end->outcome);
+    interrupted_ = end->interrupted;
     last_step_forward_ = now;
+  } else if (auto* remark = std::get_if<Remark>(&message);
+             remark && remark->realization == order_.realization) {
+    news.remarks.push_back(std::move(remark->text));
   } else {
     throw MalformedMessage("a message that does not belong to its order");
   }
@@ -212,6 +219,10 @@ void RealizationProcess::read_errors() {
     if (last_words_.size() > longest_last_words)
       last_words_.erase(0, last_words_.size() - longest_last_words);
   }
+}
+
+void RealizationProcess::ask_to_end() const {
+  if (pid_ > 0) ::kill(pid_, SIGTERM);
 }
 
 void RealizationProcess::end_by(solver::Status status, std::string reason, double kill_at) {
@@ -239,6 +250,14 @@ void RealizationProcess::enforce_limits(double now) {
     ::kill(pid_, SIGKILL);
     ending_->kill_at = never;
   }
+}
+
+bool RealizationProcess::interrupted(int wait_status) const {
+  if (ending_) return false;
+  if (outcome_) return interrupted_;
+  // The signal may come before the process can catch it.
+  return WIFSIGNALED(wait_status) && std::find(std::begin(stop_signals), std::end(stop_signals),
+                                               WTERMSIG(wait_status)) != std::end(stop_signals);
 }
 
 solver::Outcome RealizationProcess::conclude(int wait_status, double now) {

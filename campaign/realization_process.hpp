@@ -27,9 +27,13 @@ class RealizationProcess {
   struct News {
     std::optional<solver::Progress> progress;  ///< the latest since the last call
     std::optional<solver::Outcome> outcome;    ///< the process is gone; nothing follows
+    bool interrupted = false;                  ///< with an outcome: it was told to end, not by its limits
+    std::vector<std::string> remarks;
   };
   /// Takes in what the process sent, enforces its limits, notices its end. Does not block.
   [[nodiscard]] News service(double now);
+  /// Tells it to end; the outcome is then `interrupted`, unless it finishes first.
+  void ask_to_end() const;
 
   [[nodiscard]] int realization() const { return order_.realization; }
   [[nodiscard]] pid_t pid() const { return pid_; }
@@ -48,6 +52,7 @@ class RealizationProcess {
   void accept(Message message, News& news, double now);
   void enforce_limits(double now);
   void end_by(solver::Status status, std::string reason, double kill_at);
+  [[nodiscard]] bool interrupted(int wait_status) const;
   [[nodiscard]] solver::Outcome conclude(int wait_status, double now);
   [[nodiscard]] solver::Outcome failure(solver::Status status, std::string reason, double now) const;
 
@@ -62,6 +67,7 @@ class RealizationProcess {
   std::string last_words_;  // tail of what the child wrote to stderr
   std::optional<solver::Progress> progress_;
   std::optional<solver::Outcome> outcome_;
+  bool interrupted_ = false;
   std::optional<Ending> ending_;
 };
 

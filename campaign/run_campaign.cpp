@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "campaign/clock.hpp"
@@ -11,14 +13,17 @@
 #include "campaign/stop_signals.hpp"
 #include "campaign/worker.hpp"
 #include "parameters/designs/one_at_a_time.hpp"
+#include "results/checkpoint.hpp"
 #include "results/curve_store.hpp"
 #include "results/ledger.hpp"
+#include "results/provenance.hpp"
 
 namespace cpt::campaign {
 namespace {
 
 constexpr int master = 0;
-constexpr int most_losses = 2;  // of ranks with the same realization, before it is given up
+constexpr int most_losses = 2;         // of ranks with the same realization, before it is given up
+constexpr int most_interruptions = 3;  // of a realization by signals from outside, before it is given up
 constexpr double muster_limit =
     0.8;  // [s] to wait for the workers' offers before the first realization starts
 
@@ -43,6 +48,7 @@ class Master {
     for (const parameters::Realization& realization : realizations)
       realizations_[realization.id] = realization;
     scheduler_.add_rank(master, transport.node(), own_slots(transport, options));
+    if (options.checkpoint_seconds > 0.0) keep_checkpoints();
   }
 
   Summary run() {
@@ -63,7 +69,7 @@ class Master {
       }
       if (!scheduler_.done()) executor_.nap(napping.next(busy));
     }
-    executor_.kill_all();
+    if (signal != 0) wind_up(signal);
     display_.finish();
     return {whole_tally(), signal, ranks_lost_};
   }
@@ -75,6 +81,38 @@ class Master {
   // threads.
   [[nodiscard]] bool mustered(double now) const {
     return static_cast<int>(last_heard_.size()) + 1 >= transport_.size() || now > started_ + muster_limit;
+  }
+
+  void keep_checkpoints() {
+    std::set<std::string> unfinished;
+    for (const int id : ledger_.pending()) unfinished.insert(settings_hash(id));
+    checkpoints_.emplace(study_.database, unfinished);
+  }
+
+  [[nodiscard]] std::string settings_hash(int id) const {
+    return results::settings_hash(parameters::make_setup(study_, realizations_.at(id)));
+  }
+
+  // Stopped by a signal: lets all that runs keep its state. What still finishes meanwhile counts.
+  void wind_up(int signal) {
+    display_.note(fmt::format("signal {}: what runs keeps its state and ends", signal));
+    stopping_ = true;
+    executor_.ask_all_to_end();
+    const bool workers_reachable = !transport_.orphaned();
+    if (workers_reachable)
+      for (const auto& [rank, heard] : last_heard_) transport_.send(rank, Stop{});
+    Napping napping(0.05);
+    const double until = monotonic_seconds() + stop_grace;
+    for (double now = monotonic_seconds(); now < until; now = monotonic_seconds()) {
+      if (executor_.running() == 0 && (last_heard_.empty() || !workers_reachable)) break;
+      bool busy = workers_reachable && receive(now);
+      for (Message& message : executor_.service(now)) {
+        handle(master, message, now);
+        busy = true;
+      }
+      executor_.nap(napping.next(busy));
+    }
+    executor_.kill_all();
   }
 
   bool receive(double now) {
@@ -96,14 +134,36 @@ class Master {
       if (scheduler_.runner(report->realization) == rank)
         forecast_.progressed(report->realization, progress.depth / progress.final_depth,
                              point_steps(progress), now);
+    } else if (const auto* remark = std::get_if<Remark>(&message)) {
+      display_.note(fmt::format("realization {}: {}", remark->realization, remark->text));
     } else if (const auto* ended = std::get_if<OutcomeReport>(&message)) {
+      if (ended->interrupted) return interrupted(ended->realization, rank);
       const bool completed = ended->outcome.status == solver::Status::completed;
       if (!scheduler_.end(ended->realization, rank, !completed)) return;
       forecast_.ended(ended->realization, completed, point_steps(ended->outcome), now);
       record(ended->realization, ended->outcome);
     } else if (std::holds_alternative<Leaving>(message)) {
-      lose(rank, "was told to stop");
+      if (stopping_)
+        last_heard_.erase(rank);
+      else
+        lose(rank, "was told to stop");
     }
+  }
+
+  // Somebody told a realization to end, most likely the batch system all processes at once.
+  void interrupted(int id, int rank) {
+    if (stopping_ || !scheduler_.put_back(id, rank)) return;
+    forecast_.restarted(id);
+    if (++interruptions_[id] < most_interruptions) {
+      display_.note(fmt::format("warning: realization {} was told to end from outside; it starts again", id));
+      ledger_.mark_pending(id);
+      return;
+    }
+    scheduler_.give_up(id);
+    solver::Outcome outcome;
+    outcome.status = solver::Status::crashed;
+    outcome.reason = fmt::format("told to end from outside {} times", most_interruptions);
+    record(id, outcome);
   }
 
   template <class Steps>
@@ -114,8 +174,12 @@ class Master {
   void hand_out(double now) {
     while (const std::optional<Assignment> assignment = scheduler_.next()) {
       const int id = assignment->realization;
-      const Order order{id, assignment->threads, study_.wall_limit_seconds, options_.hang_limit_seconds,
-                        parameters::make_setup(study_, realizations_.at(id))};
+      Order order{id, assignment->threads, study_.wall_limit_seconds, options_.hang_limit_seconds,
+                  parameters::make_setup(study_, realizations_.at(id))};
+      if (checkpoints_) {
+        order.checkpoint = checkpoints_->file(results::settings_hash(order.setup));
+        order.checkpoint_seconds = options_.checkpoint_seconds;
+      }
       ledger_.mark_running(id);
       forecast_.started(id, assignment->threads, now);
       if (assignment->rank == master)
@@ -127,6 +191,7 @@ class Master {
 
   void record(int id, const solver::Outcome& outcome) {
     ledger_.record(id, outcome);
+    if (checkpoints_) checkpoints_->remove(settings_hash(id));
     const Tally tally = whole_tally();
     std::string line =
         fmt::format("[{}/{}] realization {} ({}): {}", tally.finished + tally.failed, tally.total(), id,
@@ -191,6 +256,7 @@ class Master {
   Transport& transport_;
   const RunOptions& options_;
   ProgressDisplay& display_;
+  std::optional<results::CheckpointFolder> checkpoints_;
   Executor executor_;
   Scheduler scheduler_;
   Forecast forecast_;
@@ -199,6 +265,8 @@ class Master {
   std::set<int> offered_;             // workers whose slots are known
   std::set<int> silenced_;            // workers that are lost; late words from them do not count
   std::map<int, int> losses_;         // by realization
+  std::map<int, int> interruptions_;  // by realization
+  bool stopping_ = false;
   bool ranks_lost_ = false;
   bool curves_warned_ = false;
 };
@@ -208,8 +276,8 @@ class Master {
 Summary run_campaign(const parameters::Study& study, const std::string& study_text, Transport& transport,
                      const RunOptions& options, ProgressDisplay& display) {
   const std::vector<parameters::Realization> realizations = parameters::one_at_a_time(study);
-  results::Ledger ledger =
-      results::Ledger::open_for_run(study, realizations, {study_text, options.retry_failed});
+  results::Ledger ledger = results::Ledger::open_for_run(
+      study, realizations, {study_text, options.retry_failed, options.file_system});
   for (const std::string& message : ledger.opened().messages) display.note(message);
   return Master(study, realizations, ledger, transport, options, display).run();
 }

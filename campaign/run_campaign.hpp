@@ -20,9 +20,10 @@ struct Summary {
 
 /// Runs what the study's database does not hold yet. Whatever a realization does ends up in the database as
 /// its status and reason; the campaign goes on. A worker that falls silent is lost: its realizations start
-/// again elsewhere, and after two losses count as rank_lost. SIGINT, SIGTERM and SIGHUP end the campaign with
-/// the database in order; the same call later goes on. Throws results::Locked if another campaign holds the
-/// database and results::Error if it cannot be used.
+/// again elsewhere, and after two losses count as rank_lost. SIGINT, SIGTERM, SIGHUP and SIGUSR1 end the
+/// campaign with the database in order and the states of unfinished pushes beside it
+/// (results/checkpoint.hpp); the same call later goes on. Throws results::Locked if another campaign holds
+/// the database and results::Error if it cannot be used.
 [[nodiscard]] Summary run_campaign(const parameters::Study& study, const std::string& study_text,
                                    Transport& transport, const RunOptions& options, ProgressDisplay& display);
 

@@ -1,8 +1,11 @@
 // How a campaign is run; none of it changes a bit of its results.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "results/file_system.hpp"
 
 namespace cpt::campaign {
 
@@ -13,7 +16,9 @@ struct RunOptions {
   int threads = 0;          ///< inside each realization; 0 = 1, and more for the last realizations
   double hang_limit_seconds = 300.0;  ///< a realization that makes no step for so long is ended
   double rank_limit_seconds = 30.0;   ///< a worker silent for so long is lost
-  bool retry_failed = false;          ///< run realizations again that failed in an earlier campaign
+  double checkpoint_seconds = 300.0;  ///< between two checkpoints of a realization; 0: none at all
+  std::optional<results::FileSystem> file_system = {};  ///< of the database; found out if not given
+  bool retry_failed = false;  ///< run realizations again that failed in an earlier campaign
 };
 
 }  // namespace cpt::campaign

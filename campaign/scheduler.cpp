@@ -64,6 +64,15 @@ bool Scheduler::end(int realization, int rank, bool failed) {
   return true;
 }
 
+bool Scheduler::put_back(int realization, int rank) {
+  const auto found = running_.find(realization);
+  if (found == running_.end() || found->second.rank != rank) return false;
+  --ranks_.at(rank).realizations;
+  running_.erase(found);
+  pending_.insert(pending_.begin(), realization);
+  return true;
+}
+
 void Scheduler::give_up(int realization) {
   if (std::erase(pending_, realization) == 0) throw std::invalid_argument("realization is not pending");
   ++failed_;

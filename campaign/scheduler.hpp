@@ -44,6 +44,8 @@ class Scheduler {
   /// A running realization ended. False (and nothing changes) if `rank` is not running it: a late word from a
   /// lost rank.
   bool end(int realization, int rank, bool failed);
+  /// A running realization was interrupted: it is pending again, before all others. False as with `end`.
+  bool put_back(int realization, int rank);
   /// A pending realization is given up, for instance after several ranks were lost with it.
   void give_up(int realization);
 

@@ -1,11 +1,9 @@
 #include "campaign/stop_signals.hpp"
 
-#include <signal.h>
-
 namespace cpt::campaign {
 namespace {
 
-constexpr int caught[] = {SIGINT, SIGTERM, SIGHUP};
+constexpr int ignored[] = {SIGPIPE, SIGXFSZ};
 volatile sig_atomic_t received_signal = 0;
 void remember(int signal) { received_signal = signal; }
 
@@ -19,13 +17,13 @@ void handle(int signal, void (*handler)(int)) {
 
 StopSignals::StopSignals() {
   received_signal = 0;
-  for (const int signal : caught) handle(signal, remember);
-  handle(SIGPIPE, SIG_IGN);
+  for (const int signal : stop_signals) handle(signal, remember);
+  for (const int signal : ignored) handle(signal, SIG_IGN);
 }
 
 StopSignals::~StopSignals() {
-  for (const int signal : caught) handle(signal, SIG_DFL);
-  handle(SIGPIPE, SIG_DFL);
+  for (const int signal : stop_signals) handle(signal, SIG_DFL);
+  for (const int signal : ignored) handle(signal, SIG_DFL);
 }
 
 int StopSignals::received() { return received_signal; }

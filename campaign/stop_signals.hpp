@@ -1,10 +1,15 @@
-// SIGINT, SIGTERM and SIGHUP ask the campaign to stop cleanly.
+// SIGINT, SIGTERM, SIGHUP and SIGUSR1 (a batch system's warning) ask the campaign to stop cleanly.
 #pragma once
+
+#include <signal.h>
 
 namespace cpt::campaign {
 
-/// Catches the three signals for as long as it lives; a second one within a stop changes nothing. Also
-/// ignores SIGPIPE. At most one at a time.
+inline constexpr int stop_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGUSR1};
+
+/// Catches these signals for as long as it lives; a second one within a stop changes nothing. Also ignores
+/// SIGPIPE and SIGXFSZ, so that a broken pipe and a file at its size limit are errors as others are. At most
+/// one at a time.
 class StopSignals {
  public:
   StopSignals();

@@ -11,6 +11,20 @@ namespace {
 constexpr int master = 0;
 constexpr double heartbeat_interval = 2.0;  // [s]
 
+bool is_interrupted(const Message& message) {
+  const auto* report = std::get_if<OutcomeReport>(&message);
+  return report != nullptr && report->interrupted;
+}
+
+// Lets realizations keep their states where nobody waits for their outcomes any more.
+void end_all(Executor& executor) {
+  executor.ask_all_to_end();
+  Napping napping(0.05);
+  for (const double until = monotonic_seconds() + stop_grace;
+       executor.running() > 0 && monotonic_seconds() < until;)
+    executor.nap(napping.next(!executor.service(monotonic_seconds()).empty()));
+}
+
 }  // namespace
 
 int own_slots(const Transport& transport, const RunOptions& options) {
@@ -25,27 +39,35 @@ void serve_master(Transport& transport, const RunOptions& options) {
   const int slots = own_slots(transport, options);
   transport.send(master, Hello{transport.node(), slots});
   double last_word = monotonic_seconds();
-  bool leaving = false;
+  std::optional<double> leave_by;  // [s] once told to stop
+  bool left = false;
 
   while (!transport.orphaned()) {
     const double now = monotonic_seconds();
     bool busy = false;
+    bool told_to_stop = StopSignals::received() != 0;
     while (std::optional<Received> received = transport.poll()) {
       busy = true;
-      if (std::holds_alternative<Dismissed>(received->message)) return;
-      if (const Order* order = std::get_if<Order>(&received->message); order && !leaving)
+      if (std::holds_alternative<Dismissed>(received->message)) return end_all(executor);
+      told_to_stop = told_to_stop || std::holds_alternative<Stop>(received->message);
+      if (const Order* order = std::get_if<Order>(&received->message); order && !leave_by)
         executor.start(*order, now);
     }
     for (const Message& message : executor.service(now)) {
       busy = true;
+      if (leave_by && is_interrupted(message)) continue;  // its leaving tells the master
       transport.send(master, message);
       last_word = now;
     }
-    if (StopSignals::received() != 0 && !leaving) {
+    if (told_to_stop && !leave_by) {
+      executor.ask_all_to_end();
+      leave_by = now + stop_grace;
+    }
+    if (leave_by && !left && (executor.running() == 0 || now > *leave_by)) {
       // The master gives this rank's work to others; leaving the job itself would take all of it down.
       executor.kill_all();
       transport.send(master, Leaving{});
-      leaving = true;
+      left = true;
     }
     if (now > last_word + heartbeat_interval) {
       // A whole offer, so that the next campaign of the same job finds its workers too.
@@ -54,6 +76,7 @@ void serve_master(Transport& transport, const RunOptions& options) {
     }
     executor.nap(napping.next(busy));
   }
+  end_all(executor);
 }
 
 }  // namespace cpt::campaign

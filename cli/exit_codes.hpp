@@ -24,6 +24,6 @@ inline constexpr const char* exit_code_help = R"(Exit codes:
   4  rerun gave another outcome than the stored one
   5  internal error
   6  a database, curve or report file cannot be read or written
-  128 + n  stopped by signal n (130 Ctrl-C, 143 terminated); the same command goes on where it stopped)";
+  128 + n  stopped by signal n (130 Ctrl-C, 138 SIGUSR1, 143 terminated); the same command goes on where it stopped)";
 
 }  // namespace cpt::cli

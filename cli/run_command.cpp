@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
 
 #include "campaign/mpi_transport.hpp"
@@ -118,6 +119,19 @@ void add_run(CLI::App& program, Action& action) {
                    "Count an MPI rank as lost when silent for so long [30]")
       ->type_name("SECONDS")
       ->check(CLI::Range(5.0, 1.0e6).description(""));
+  command
+      ->add_option("--checkpoint", options.checkpoint_seconds,
+                   "Keep the state of each running realization so often, and when stopped; 0: never [300]")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1.0e6).description(""));
+  command
+      ->add_option("--file-system", options.file_system,
+                   "Where the database is: local or network [recognised]; a network needs a slower journal")
+      ->type_name("KIND")
+      ->transform(CLI::CheckedTransformer(
+                      std::map<std::string, results::FileSystem>{{"local", results::FileSystem::local},
+                                                                 {"network", results::FileSystem::network}})
+                      .description(""));
   command->add_flag("--retry-failed", options.retry_failed, "Run failed realizations again");
   command->add_flag("--quiet", arguments->quiet, "No progress, no summary");
   command->add_flag("--no-report", arguments->no_report, "Do not write the report at the end");

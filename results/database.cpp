@@ -22,11 +22,17 @@ constexpr int busy_timeout_ms = 10'000;
     case SQLITE_NOTADB:
       throw Error(fmt::format("{}: not an SQLite database ({})", file, detail));
     case SQLITE_CORRUPT:
-      throw Error(fmt::format("{}: the database is damaged ({}); move it away and run again", file, detail));
+      throw Error(damaged_database(file, detail));
     case SQLITE_CANTOPEN:
       throw Error(fmt::format("{}: cannot be opened ({})", file, detail));
     case SQLITE_FULL:
-      throw Error(fmt::format("{}: the disk is full ({})", file, detail));
+      throw Error(fmt::format("{}: the disk is full ({}); free some space and run again", file, detail));
+    case SQLITE_READONLY:
+      throw Error(fmt::format("{}: cannot be written ({}); give write permission on it and its folder", file,
+                              detail));
+    case SQLITE_IOERR:
+      throw Error(
+          fmt::format("{}: reading or writing failed ({}; is the disk full or failing?)", file, detail));
     case SQLITE_BUSY:
       throw Error(fmt::format("{}: another program keeps the database busy ({})", file, detail));
     default:
@@ -35,6 +41,13 @@ constexpr int busy_timeout_ms = 10'000;
 }
 
 }  // namespace
+
+std::string damaged_database(const std::filesystem::path& file, std::string_view detail) {
+  return fmt::format(
+      "{0}: the database is damaged ({1}); save what is left of it with: sqlite3 {0} .recover | sqlite3 NEW, "
+      "put NEW in its place, and run again",
+      file.string(), detail);
+}
 
 Statement::Statement(sqlite3* connection, std::string_view sql, const std::string& file)
     : connection_(connection), file_(file) {

@@ -17,6 +17,9 @@ struct sqlite3_stmt;
 
 namespace cpt::results {
 
+/// What to say of a damaged database, and how to save what is left of it.
+[[nodiscard]] std::string damaged_database(const std::filesystem::path& file, std::string_view detail);
+
 /// A statement with its parameters bound in order; steps through its rows. Numbers that are not finite are
 /// stored as NULL, and NULL reads back as NaN, 0 or "".
 class Statement {

@@ -1,9 +1,14 @@
 #include "results/hdf5_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "results/atomic_file.hpp"
+#include "results/provenance.hpp"
 
 namespace cpt::results {
 namespace {
@@ -77,13 +82,28 @@ std::string text_at(hid_t at, const std::string& name) {
   return value;
 }
 
-void flush_to_disk(const std::filesystem::path& file) {
-  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0 || fsync(descriptor) != 0) {
-    if (descriptor >= 0) close(descriptor);
-    throw Error(file.string() + ": cannot be written to disk");
-  }
-  close(descriptor);
+constexpr std::size_t seal_size = 512;  // [bytes] the smallest user block
+constexpr std::string_view seal_start = "SHA-256 of the bytes after the first 512: ";
+constexpr std::size_t growth = std::size_t{1} << 20;  // [bytes] of a file in memory
+
+constexpr const char* nowhere = "/dev/null/memory";  // a file in memory may not have the name of one on disk
+
+std::string seal_of(std::string_view content) {
+  std::string seal = fmt::format("{}{}\n", seal_start, sha256(content));
+  seal.resize(seal_size, '\0');
+  return seal;
+}
+
+void check_seal(std::string_view file) {
+  if (!file.starts_with(seal_start)) return;
+  if (file.size() < seal_size || file.substr(0, seal_size) != seal_of(file.substr(seal_size)))
+    throw Error("damaged: its bytes do not match their checksum");
+}
+
+Handle file_in_memory() {
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_fapl_core(access, growth, false);
+  return Handle(access, H5Pclose, "a property list");
 }
 
 Hdf5Group root_of(const Handle& file) {
@@ -170,26 +190,34 @@ std::string Hdf5Group::unit(const std::string& array) const {
 
 void write_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& fill) {
   const QuietErrors quiet;
-  const std::filesystem::path temporary = file.string() + ".tmp";
+  std::string content;
   try {
-    {
-      const Handle h5(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-                      temporary.string());
-      fill(root_of(h5));
-      check(H5Fflush(h5.id(), H5F_SCOPE_GLOBAL), "write the file");
-    }
-    flush_to_disk(temporary);
-    std::filesystem::rename(temporary, file);
+    const Handle access = file_in_memory();
+    const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a property list");
+    check(H5Pset_userblock(creation.id(), seal_size), "leave room for the checksum");
+    const Handle h5(H5Fcreate(nowhere, H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, "a file");
+    fill(root_of(h5));
+    check(H5Fflush(h5.id(), H5F_SCOPE_GLOBAL), "write the file");
+    const ssize_t size = H5Fget_file_image(h5.id(), nullptr, 0);
+    if (size <= 0) throw Error("HDF5 cannot give the file's bytes");
+    content.resize(static_cast<std::size_t>(size));
+    if (H5Fget_file_image(h5.id(), content.data(), content.size()) != size)
+      throw Error("HDF5 cannot give the file's bytes");
   } catch (const std::exception& error) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
     throw Error(fmt::format("{}: cannot be written ({})", file.string(), error.what()));
   }
+  write_atomically(file, seal_of(content), content);
 }
 
 void read_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& read) {
   const QuietErrors quiet;
-  const Handle h5(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, file.string());
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw Error("cannot be read");
+  check_seal(bytes);
+  const Handle access = file_in_memory();
+  check(H5Pset_file_image(access.id(), bytes.data(), bytes.size()), "take the file's bytes");
+  const Handle h5(H5Fopen(nowhere, H5F_ACC_RDONLY, access.id()), H5Fclose, "it as an HDF5 file");
   read(root_of(h5));
 }
 

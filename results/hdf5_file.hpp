@@ -1,4 +1,8 @@
 // HDF5 files as groups of arrays and attributes. The library itself is used in hdf5_file.cpp alone.
+//
+// The library builds and parses files in memory; what touches the disk is plain reading and writing. Files
+// are sealed: the 512 bytes before the HDF5 content, a user block that HDF5 programs skip, hold the SHA-256
+// of the rest. A damaged file is found by it before the library, which may crash on one, sees a byte.
 #pragma once
 
 #include <cstdint>
@@ -42,10 +46,11 @@ class Hdf5Group {
 };
 
 /// Writes a file whole: to FILE.tmp, down to the disk, then renamed into place, so that it is always
-/// complete.
+/// complete. Throws Error, naming the file and why.
 void write_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& fill);
 
-/// Opens a file to read from its root.
+/// Opens a file to read from its root. Throws Error if the file's seal is broken; a file without one (of
+/// other programs and earlier versions) is read as it is.
 void read_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& read);
 
 }  // namespace cpt::results

@@ -13,12 +13,13 @@
 #include "results/provenance.hpp"
 #include "results/schema.hpp"
 #include "results/snapshot.hpp"
+#include "results/study_changes.hpp"
 
 namespace cpt::results {
 namespace {
 
 /// How a stored realization enters a new run.
-enum class Fate { keep_completed, keep_failed, wait, interrupted, retry };
+enum class Fate { keep_completed, keep_failed, wait, interrupted, retry, damaged };
 
 Fate fate_of(const std::string& status, bool retry_failed) {
   if (status == "completed") return Fate::keep_completed;
@@ -38,6 +39,8 @@ void describe(const std::string& old_solver_version, Opened& opened) {
   say(opened.failed, "failed before and not run again (--retry-failed runs them)");
   say(opened.retried, "failed before and to be run again");
   say(opened.interrupted, "interrupted before and to be run again");
+  say(opened.damaged,
+      "damaged in the database (what is stored does not match its checksum) and to be run again");
   const bool other_solver = old_solver_version != solver::solver_version();
   say(opened.discarded, other_solver
                             ? fmt::format("dropped: made by solver version {}, this is {}",
@@ -51,11 +54,15 @@ Opened match_realizations(const Database& database, const parameters::Study& stu
   struct Old {
     int id;
     std::string hash, status, solver_version;
+    bool damaged;
   };
   std::vector<Old> old;
   Statement all =
       database.prepare("SELECT id, settings_hash, status, solver_version FROM realization ORDER BY id");
-  while (all.step()) old.push_back({static_cast<int>(all.integer(0)), all.text(1), all.text(2), all.text(3)});
+  while (all.step()) {
+    const int id = static_cast<int>(all.integer(0));
+    old.push_back({id, all.text(1), all.text(2), all.text(3), is_damaged(database, id)});
+  }
   const std::string old_solver_version = old.empty() ? "" : old.front().solver_version;
 
   // Negative ids keep old and new apart while rows are renumbered; curves follow by ON UPDATE CASCADE.
@@ -70,20 +77,39 @@ Opened match_realizations(const Database& database, const parameters::Study& stu
       continue;
     }
     rename_realization(database, -match->id, realization.id, input);
-    const Fate fate = fate_of(match->status, retry_failed);
-    if (fate == Fate::interrupted || fate == Fate::retry) clear_outcome(database, realization.id);
+    const Fate fate = match->damaged ? Fate::damaged : fate_of(match->status, retry_failed);
+    if (fate == Fate::interrupted || fate == Fate::retry || fate == Fate::damaged)
+      clear_outcome(database, realization.id);
     opened.kept += fate == Fate::keep_completed;
     opened.failed += fate == Fate::keep_failed;
     opened.interrupted += fate == Fate::interrupted;
     opened.retried += fate == Fate::retry;
+    opened.damaged += fate == Fate::damaged;
     old.erase(match);
   }
   opened.discarded = static_cast<int>(std::count_if(old.begin(), old.end(), [](const Old& row) {
-    return row.status != "pending" && row.status != "running" && row.status != "rank_lost";
+    return !row.damaged && row.status != "pending" && row.status != "running" && row.status != "rank_lost";
   }));
+  opened.damaged +=
+      static_cast<int>(std::count_if(old.begin(), old.end(), [](const Old& row) { return row.damaged; }));
   database.execute("DELETE FROM realization WHERE id < 0");
   describe(old_solver_version, opened);
   return opened;
+}
+
+/// SQLite reads over much of what a failing disk does to a file; it is asked to look.
+void refuse_damaged(const Database& database) {
+  Statement check = database.prepare("PRAGMA quick_check(1)");
+  if (check.step() && check.text(0) == "ok") return;
+  throw Error(damaged_database(database.file(), check.text(0)));
+}
+
+void tell_changes(const std::vector<std::string>& changes, Opened& opened) {
+  constexpr std::size_t most = 12;
+  for (std::size_t k = 0; k < std::min(most, changes.size()); ++k)
+    opened.messages.push_back("the study has changed: " + changes[k]);
+  if (changes.size() > most)
+    opened.messages.push_back(fmt::format("the study has changed in {} more places", changes.size() - most));
 }
 
 /// A study whose name differs and that shares no run with the database is most likely a mistyped file name.
@@ -130,16 +156,21 @@ Ledger Ledger::open_for_run(const parameters::Study& study,
   if (!created) check_schema(database);
   if (!created && !study.points.empty() && database.integer("PRAGMA user_version") < schema_version)
     throw Error(file.string() + ": was made before studies could have points; move it away and run again");
-  database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+  if (!created) refuse_damaged(database);
+  const FileSystem system = options.file_system.value_or(file_system_of(file));
+  database.execute(fmt::format("PRAGMA journal_mode = {}; PRAGMA synchronous = FULL", journal_mode(system)));
 
   Transaction transaction(database, Transaction::Kind::write);
   database.execute("PRAGMA defer_foreign_keys = ON");
   if (created) create_schema(database);
+  create_checksums(database);
+  const std::vector<std::string> changes = study_changes(database, study);
   Opened opened = match_realizations(database, study, realizations, options.retry_failed);
   refuse_other_study(database, study, opened);
   write_study(database, study, options.study_text);
   recompute_windows(database, study);
   opened.created = created;
+  tell_changes(changes, opened);
   opened.pending =
       static_cast<int>(database.integer("SELECT count(*) FROM realization WHERE status = 'pending'"));
   transaction.commit();

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,13 +16,15 @@
 #include "parameters/realization.hpp"
 #include "parameters/study.hpp"
 #include "results/error.hpp"
+#include "results/file_system.hpp"
 #include "solver/simulate.hpp"
 
 namespace cpt::results {
 
 struct RunOptions {
-  std::string study_text;     ///< the study file as the user wrote it, kept for provenance
-  bool retry_failed = false;  ///< run failed realizations again
+  std::string study_text;                      ///< the study file as the user wrote it, kept for provenance
+  bool retry_failed = false;                   ///< run failed realizations again
+  std::optional<FileSystem> file_system = {};  ///< of the database; found out if not given
 };
 
 /// What opening the ledger found and did.
@@ -32,6 +35,7 @@ struct Opened {
   int interrupted =
       0;              ///< were running, or lost with their rank, when the last campaign ended: pending again
   int retried = 0;    ///< failed ones set back to pending because retry_failed asked for it
+  int damaged = 0;    ///< no longer match their checksum: pending again
   int discarded = 0;  ///< finished ones dropped because their settings or the solver changed
   int pending = 0;    ///< to run now
   std::vector<std::string>
@@ -53,8 +57,8 @@ class Ledger {
  public:
   /// Opens or creates `study.database` for a run of these realizations, which become its rows. Finished runs
   /// are matched by settings hash, so adding, removing or reordering rows of a study keeps what is still
-  /// valid. Throws Locked if another campaign holds it; Error if it is not a ledger, has another schema
-  /// version, or holds finished runs of a differently named study only.
+  /// valid. Throws Locked if another campaign holds it; Error if it is not a ledger, is damaged, has another
+  /// schema version, or holds finished runs of a differently named study only.
   [[nodiscard]] static Ledger open_for_run(const parameters::Study& study,
                                            std::span<const parameters::Realization> realizations,
                                            const RunOptions& options);

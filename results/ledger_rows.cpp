@@ -15,18 +15,6 @@ namespace {
 
 constexpr double Pa_per_kPa = 1.0e3;
 
-std::string_view kind_name(parameters::Window::Kind kind) {
-  switch (kind) {
-    case parameters::Window::Kind::peak:
-      return "peak";
-    case parameters::Window::Kind::trough:
-      return "trough";
-    case parameters::Window::Kind::fixed:
-      break;
-  }
-  return "fixed";
-}
-
 /// The window's place, or why it has none yet.
 Resolved<Interval> place(const parameters::Window& window, const Database& database) {
   if (window.kind == parameters::Window::Kind::fixed) return resolve_window(window, {});
@@ -41,7 +29,67 @@ Resolved<Interval> place(const parameters::Window& window, const Database& datab
                   : fmt::format("baseline run failed ({}), which places the window", status)};
 }
 
+template <class T>
+void append_bytes(std::string& bytes, const T& value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// SHA-256 of what a realization ended with: settings, status, reason, audit and curve, by their exact bytes.
+std::string outcome_checksum(const Database& database, int id) {
+  std::string bytes;
+  const auto append = [&](const std::string& text) {
+    append_bytes(bytes, text.size());
+    bytes += text;
+  };
+  Statement row = database.prepare(
+      "SELECT settings_hash, solver_version, status, reason, steps, material_points, max_empty_cells, "
+      "wall_s, "
+      "mass_error, momentum_error, energy_error, kinetic_fraction, min_time_step_s, max_time_step_s "
+      "FROM realization WHERE id = ?");
+  row.bind(id);
+  if (row.step())
+    for (int column = 0; column < row.columns(); ++column) {
+      if (row.is_null(column))
+        append("NULL");
+      else if (column < 4)
+        append(row.text(column));
+      else if (column < 7)
+        append_bytes(bytes, row.integer(column));
+      else
+        append_bytes(bytes, row.number(column));
+    }
+  const solver::DepthProfile profile = read_profile(database, id);
+  for (const std::vector<double>* values : {&profile.depth, &profile.q_c, &profile.f_s}) {
+    append_bytes(bytes, values->size());
+    for (const double value : *values) append_bytes(bytes, value);
+  }
+  return sha256(bytes);
+}
+
 }  // namespace
+
+std::string_view kind_name(parameters::Window::Kind kind) {
+  switch (kind) {
+    case parameters::Window::Kind::peak:
+      return "peak";
+    case parameters::Window::Kind::trough:
+      return "trough";
+    case parameters::Window::Kind::fixed:
+      break;
+  }
+  return "fixed";
+}
+
+bool is_damaged(const Database& database, int id) {
+  Statement stored = database.prepare("SELECT sha256 FROM checksum WHERE realization = ?");
+  stored.bind(id);
+  if (!stored.step()) return false;  // stored before there were checksums
+  try {
+    return stored.text(0) != outcome_checksum(database, id);
+  } catch (const Error&) {
+    return true;  // a curve of broken length
+  }
+}
 
 RealizationInput describe_input(const parameters::Study& study, const parameters::Realization& realization) {
   return {std::string(parameters::parameter_name(study, realization)),
@@ -88,7 +136,8 @@ void clear_outcome(const Database& database, int id) {
           "max_time_step_s = NULL WHERE id = ?")
       .bind(id)
       .run();
-  database.prepare("DELETE FROM curve WHERE realization = ?").bind(id).run();
+  for (const char* table : {"curve", "checksum"})
+    database.prepare(fmt::format("DELETE FROM {} WHERE realization = ?", table)).bind(id).run();
   database.prepare("DELETE FROM window_mean WHERE realization = ?").bind(id).run();
 }
 
@@ -188,14 +237,15 @@ void write_outcome(const Database& database, int id, const solver::Outcome& outc
   const solver::DepthProfile& profile = outcome.profile;
   if (profile.depth.size() != profile.q_c.size() || profile.depth.size() != profile.f_s.size())
     throw std::logic_error(fmt::format("realization {}: the arrays of its profile differ in length", id));
-  if (profile.depth.empty()) return;
-  database.prepare("INSERT INTO curve VALUES (?, ?, ?, ?, ?)")
-      .bind(id)
-      .bind(static_cast<std::int64_t>(profile.depth.size()))
-      .bind(profile.depth)
-      .bind(profile.q_c)
-      .bind(profile.f_s)
-      .run();
+  if (!profile.depth.empty())
+    database.prepare("INSERT INTO curve VALUES (?, ?, ?, ?, ?)")
+        .bind(id)
+        .bind(static_cast<std::int64_t>(profile.depth.size()))
+        .bind(profile.depth)
+        .bind(profile.q_c)
+        .bind(profile.f_s)
+        .run();
+  database.prepare("INSERT INTO checksum VALUES (?, ?)").bind(id).bind(outcome_checksum(database, id)).run();
 }
 
 solver::DepthProfile read_profile(const Database& database, int id) {

@@ -1,7 +1,9 @@
-// The ledger's single writes, each within a transaction of the caller. Used by ledger.cpp alone.
+// The ledger's single writes, each within a transaction of the caller. Used by ledger.cpp and
+// study_changes.cpp.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "parameters/realization.hpp"
 #include "parameters/study.hpp"
@@ -9,6 +11,12 @@
 #include "solver/simulate.hpp"
 
 namespace cpt::results {
+
+/// "fixed", "peak" or "trough", as stored.
+[[nodiscard]] std::string_view kind_name(parameters::Window::Kind kind);
+
+/// True if what is stored of an ended realization is not what was recorded: a bit has changed since.
+[[nodiscard]] bool is_damaged(const Database& database, int id);
 
 /// What identifies a realization in the ledger.
 struct RealizationInput {

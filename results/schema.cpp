@@ -102,6 +102,13 @@ CREATE TABLE window_mean (
 ) WITHOUT ROWID;
 )sql";
 
+constexpr const char* checksum_table = R"sql(
+CREATE TABLE IF NOT EXISTS checksum (
+  realization      INTEGER PRIMARY KEY REFERENCES realization (id) ON UPDATE CASCADE ON DELETE CASCADE,
+  sha256           TEXT NOT NULL
+);
+)sql";
+
 // SI and SI_noise as in sensitivity.hpp. A bound without a realization of its own equals the baseline.
 constexpr const char* sensitivity_view = R"sql(
 CREATE VIEW sensitivity AS
@@ -184,6 +191,8 @@ void create_schema(const Database& database) {
   database.execute(
       fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, schema_version));
 }
+
+void create_checksums(const Database& database) { database.execute(checksum_table); }
 
 bool is_empty(const Database& database) {
   return database.integer("SELECT count(*) FROM sqlite_schema") == 0;

@@ -13,6 +13,9 @@ inline constexpr int oldest_schema_version = 1;
 /// Creates all tables and views in an empty database.
 void create_schema(const Database& database);
 
+/// Creates the table of checksums where it is missing: databases of earlier programs have none.
+void create_checksums(const Database& database);
+
 /// True if the database holds nothing at all.
 [[nodiscard]] bool is_empty(const Database& database);
 

@@ -28,6 +28,19 @@ class Auditor {
 
   [[nodiscard]] Audit summary(const Model& model) const;
 
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive("audit.impulse", impulse_);
+    archive("audit.penetrometer_impulse", penetrometer_impulse_);
+    archive("audit.penetrometer_work", penetrometer_work_);
+    archive("audit.sliding", sliding_);
+    archive("audit.kinetic", kinetic_);
+    archive("audit.kinetic_fraction", audit_.kinetic_fraction);
+    archive("audit.max_empty_cells", audit_.max_empty_cells);
+    archive("audit.min_time_step", audit_.min_time_step);
+    archive("audit.max_time_step", audit_.max_time_step);
+  }
+
  private:
   Audit audit_;
   double initial_mass_, initial_momentum_;             // over the full circumference

@@ -19,6 +19,11 @@ class ChamberBoundary {
   /// bottom and wall on the soil [N s/rad].
   double fix_boundaries(Model& model, double dt);
 
+  template <class Archive>
+  void exchange(Archive& archive) {
+    displacement_.exchange(archive);
+  }
+
  private:
   void follow_wall(const Model& model, double dt);
 

@@ -19,6 +19,8 @@ class FirstPush : public Observer {
 
   void progress(const Progress& progress) override { observer_.progress(progress); }
   bool stop_requested(std::string& reason) override { return observer_.stop_requested(reason); }
+  bool state_wanted() override { return observer_.state_wanted(); }
+  void keep_state(PushState state) override { observer_.keep_state(std::move(state)); }
   [[nodiscard]] double next_look() const override;
   void look(double depth, const MaterialPoints& points) override;
 

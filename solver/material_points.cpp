@@ -1,6 +1,7 @@
 #include "solver/material_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 
@@ -105,6 +106,48 @@ void MaterialPoints::move(std::int32_t from, std::int32_t slot_in_bucket, std::i
   if (--source.count == 0) {
     return_block(source);
     source = Bucket{};
+  }
+}
+
+void MaterialPoints::exchange(StateWriter& state) const {
+  std::vector<double> counts, capacities, slots;
+  for (const Bucket& bucket : buckets_) {
+    counts.push_back(bucket.count);
+    capacities.push_back(bucket.capacity);
+    slots.insert(slots.end(), bucket.data,
+                 bucket.data + static_cast<std::ptrdiff_t>(bucket.capacity) * field_count);
+  }
+  state("points.counts", counts);
+  state("points.capacities", capacities);
+  state("points.slots", slots);
+}
+
+void MaterialPoints::exchange(StateReader& state) {
+  std::vector<double> counts(buckets_.size()), capacities(buckets_.size());
+  state("points.counts", counts);
+  state("points.capacities", capacities);
+  const std::vector<double>& slots = state.find("points.slots");
+  double points = 0.0, all_slots = 0.0;
+  for (std::size_t b = 0; b < buckets_.size(); ++b) {
+    points += counts[b];
+    all_slots += capacities[b];
+    if (!(counts[b] >= 0.0 && counts[b] <= capacities[b]) || std::fmod(capacities[b], lanes) != 0.0)
+      throw StateMismatch("the state of the push has broken buckets");
+  }
+  if (points != static_cast<double>(size_) || all_slots * field_count != static_cast<double>(slots.size()))
+    throw StateMismatch("the state of the push has another number of material points");
+
+  arenas_.clear();
+  arena_left_ = 0;
+  free_blocks_.clear();
+  const double* next = slots.data();
+  for (std::size_t b = 0; b < buckets_.size(); ++b) {
+    buckets_[b] = {nullptr, static_cast<std::int32_t>(counts[b]), static_cast<std::int32_t>(capacities[b])};
+    if (buckets_[b].capacity == 0) continue;
+    buckets_[b].data = take_block(buckets_[b].capacity);
+    const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(buckets_[b].capacity) * field_count;
+    std::copy_n(next, size, buckets_[b].data);
+    next += size;
   }
 }
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "solver/push_state.hpp"
 #include "solver/setup.hpp"
 
 namespace cpt::solver {
@@ -75,6 +76,10 @@ class MaterialPoints {
   /// Moves a point to the end of another bucket; the source's last point takes its slot. A full bucket moves
   /// to a larger block; blocks are used again, so memory is taken from the system only now and then.
   void move(std::int32_t from, std::int32_t slot_in_bucket, std::int32_t to);
+
+  /// All buckets with all their slots: a law may change the dummies too, and they take part in its stiffness.
+  void exchange(StateWriter& state) const;
+  void exchange(StateReader& state);
 
  private:
   [[nodiscard]] double* take_block(std::int32_t capacity);

@@ -81,6 +81,22 @@ class Model {
   [[nodiscard]] const std::vector<CellSums>& sums() const { return sums_; }
   [[nodiscard]] const ModelSettings& settings() const { return settings_; }
 
+  /// What the next step reads before it writes it. The model that reads has been made from the same setup.
+  template <class Archive>
+  void exchange(Archive& archive) {
+    double depth = mesh_.tip_depth();
+    archive("mesh.tip_depth", depth);
+    if constexpr (Archive::reading) mesh_.move_tip_to(depth);
+    points_.exchange(archive);
+    archive("cells.sums", sums_);
+    archive("cells.shapes", shapes_);
+    archive("cells.modulus", modulus_);
+    archive("cells.work", work_);
+    archive("cells.divergence", divergence_);
+    archive("cells.viscous", viscous_);
+    if constexpr (Archive::reading) make_scratch();
+  }
+
   /// Cells without material points in the region that the points fill at the start [-].
   [[nodiscard]] int empty_cells() const;
   /// Work done by the stresses on the points so far [J/rad].

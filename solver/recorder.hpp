@@ -18,6 +18,13 @@ class Recorder {
   /// The bins that the tip passed, in order of depth.
   [[nodiscard]] DepthProfile profile() const;
 
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive("bins.time", time_);
+    archive("bins.cone_impulse", cone_impulse_);
+    archive("bins.friction", friction_);
+  }
+
  private:
   double bin_height_, projected_area_;
   std::vector<double> time_, cone_impulse_, friction_;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <new>
 
 #include "solver/actual_setup.hpp"
 #include "solver/audit.hpp"
@@ -76,12 +77,34 @@ Outcome invalid(const std::vector<Problem>& found) {
   return outcome;
 }
 
-// One push into the soil of `setup` as `left` changed it; q_c is the force over `nominal_area` [m2].
-Outcome push(const Setup& setup, const LeftBehind& left, double nominal_area, Observer& observer,
+// What came before a push.
+struct Before {
+  int pushes = 0;
+  double wall_seconds = 0.0;
+  LeftBehind left;
+
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive("before.pushes", pushes);
+    archive("before.wall_seconds", wall_seconds);
+    archive("before.sigma_v_ratio", left.sigma_v_ratio);
+    if constexpr (Archive::reading) {
+      left.sigma_h_ratio = archive.find("before.sigma_h_ratio");
+      left.void_ratio_change = archive.find("before.void_ratio_change");
+    } else {
+      archive("before.sigma_h_ratio", left.sigma_h_ratio);
+      archive("before.void_ratio_change", left.void_ratio_change);
+    }
+  }
+};
+
+// One push into the soil of `setup` as those before it changed it; q_c is the force over `nominal_area` [m2].
+// Goes on from execution.resume, if there is one.
+Outcome push(const Setup& setup, Before before, double nominal_area, Observer& observer,
              const Execution& execution) {
   const Clock::time_point start = Clock::now();
-  Model model = make_model(setup, left, execution.threads);
-  ChamberBoundary chamber(setup, model.mesh(), left);
+  Model model = make_model(setup, before.left, execution.threads);
+  ChamberBoundary chamber(setup, model.mesh(), before.left);
   const PenetrometerContact penetrometer(setup);
   Recorder recorder(setup.numerics.bin_height, setup.penetrometer.final_depth, nominal_area);
   Auditor auditor(model);
@@ -92,6 +115,31 @@ Outcome push(const Setup& setup, const LeftBehind& left, double nominal_area, Ob
   const double speed = setup.penetrometer.speed, final_depth = setup.penetrometer.final_depth;
   const double first_depth = model.mesh().tip_depth();
   double depth = first_depth, last_report = 0.0, first_step = 0.0;
+  double earlier_seconds =
+      before.wall_seconds;  // of the pushes before, and of this one before it was resumed
+  const auto wall_seconds = [&] { return earlier_seconds + seconds_since(start); };
+  const auto exchange = [&](auto& archive) {
+    before.exchange(archive);
+    model.exchange(archive);
+    chamber.exchange(archive);
+    recorder.exchange(archive);
+    auditor.exchange(archive);
+    archive("push.depth", depth);
+    archive("push.steps", outcome.steps);
+    archive("push.first_step", first_step);
+  };
+  const auto state = [&] {
+    StateWriter writer;
+    exchange(writer);
+    writer("push.wall_seconds", wall_seconds());
+    return writer.take();
+  };
+  if (execution.resume != nullptr) {
+    StateReader reader(*execution.resume);
+    exchange(reader);
+    reader("push.wall_seconds", earlier_seconds);
+  }
+
   double next_look = observer.next_look();
   const auto look = [&] {
     observer.look(depth, model.points());
@@ -125,7 +173,7 @@ Outcome push(const Setup& setup, const LeftBehind& left, double nominal_area, Ob
     if (outcome.steps % steps_between_checks == 0)
       outcome.reason = auditor.check(model, depth - first_depth, outcome.status);
     if (outcome.steps % steps_between_clock_looks == 0 && outcome.status == Status::completed) {
-      const double now = seconds_since(start);
+      const double now = wall_seconds();
       if (now > execution.wall_limit_seconds) {
         outcome.status = Status::time_limit;
         outcome.reason = fmt::format("wall time limit of {:.0f} s reached at {:.1f} mm depth",
@@ -134,6 +182,7 @@ Outcome push(const Setup& setup, const LeftBehind& left, double nominal_area, Ob
         last_report = now;
         observer.progress({depth, final_depth, outcome.steps, outcome.material_points, now});
         if (observer.stop_requested(outcome.reason)) outcome.status = Status::time_limit;
+        if (observer.state_wanted()) observer.keep_state(state());
       }
     }
   }
@@ -147,7 +196,7 @@ Outcome push(const Setup& setup, const LeftBehind& left, double nominal_area, Ob
       outcome.status = Status::did_not_converge;
       outcome.reason = "the tip resistance became non-finite";
     }
-  outcome.wall_seconds = seconds_since(start);
+  outcome.wall_seconds = wall_seconds();
   return outcome;
 }
 
@@ -183,22 +232,28 @@ Outcome simulate(const Setup& setup, Observer& observer, const Execution& execut
   if (!found.empty()) return invalid(found);
   const double nominal_area = PenetrometerContact(setup).projected_area();
   try {
-    LeftBehind left;
-    double first_seconds = 0.0;
-    if (actual.mechanisms.previous_push.on()) {
-      FirstPush first(actual, observer);
-      const Outcome outcome = push(first.setup(), {}, nominal_area, first, execution);
-      if (outcome.status != Status::completed) return outcome;
-      left = first.left_behind();
-      first_seconds = outcome.wall_seconds;
-      actual.initial.sigma_v0 *= left.sigma_v_ratio;
-      actual.initial.sigma_h0 *= left.sigma_v_ratio;
-    }
+    Before before;
     Execution rest = execution;
-    rest.wall_limit_seconds -= first_seconds;
-    Outcome outcome = push(actual, left, nominal_area, observer, rest);
-    outcome.wall_seconds += first_seconds;
-    return outcome;
+    if (execution.resume != nullptr) {
+      StateReader reader(*execution.resume);
+      before.exchange(reader);
+    }
+    if (actual.mechanisms.previous_push.on()) {
+      if (before.pushes == 0) {
+        FirstPush first(actual, observer);
+        const Outcome outcome = push(first.setup(), before, nominal_area, first, execution);
+        if (outcome.status != Status::completed) return outcome;
+        before = {1, outcome.wall_seconds, first.left_behind()};
+        rest.resume = nullptr;
+      }
+      actual.initial.sigma_v0 *= before.left.sigma_v_ratio;
+      actual.initial.sigma_h0 *= before.left.sigma_v_ratio;
+    }
+    return push(actual, before, nominal_area, observer, rest);
+  } catch (const StateMismatch&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     Outcome outcome;
     outcome.status = Status::did_not_converge;

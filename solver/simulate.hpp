@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/push_state.hpp"
 #include "solver/setup.hpp"
 
 namespace cpt::solver {
@@ -71,6 +72,11 @@ class Observer {
   /// Polled as often as `progress`; true ends the run with Status::time_limit and this reason.
   virtual bool stop_requested(std::string& /*reason*/) { return false; }
 
+  /// Polled after `stop_requested`; true asks for the state of the push as it is now, a few megabytes.
+  virtual bool state_wanted() { return false; }
+  /// The state that was asked for, as Execution::resume takes it.
+  virtual void keep_state(PushState /*state*/) {}
+
   /// Depth of the tip [m] from which the observer wants to look at the material points; asked at the start
   /// and after each look. Infinity: never again.
   [[nodiscard]] virtual double next_look() const { return std::numeric_limits<double>::infinity(); }
@@ -82,11 +88,13 @@ class Observer {
 /// How to run, none of which changes a bit of the result.
 struct Execution {
   int threads = 1;
-  double wall_limit_seconds = std::numeric_limits<double>::infinity();
+  double wall_limit_seconds = std::numeric_limits<double>::infinity();  ///< of the push, pauses left out
+  const PushState* resume = nullptr;  ///< an earlier state of the same setup's push to go on from
 };
 
 /// Pushes the cone to its final depth. Never throws for physics: bad input, divergence and limits are
-/// outcomes.
+/// outcomes. Throws StateMismatch if the state to go on from is not one of this setup's, std::bad_alloc if
+/// memory runs out.
 [[nodiscard]] Outcome simulate(const Setup& setup, Observer& observer, const Execution& execution = {});
 
 /// Version of the numerics; changes whenever the same setup may give other bits.

@@ -31,6 +31,11 @@ class WallDisplacement {
   void add(const std::vector<double>& z, const std::vector<double>& v_r, double dt);
   [[nodiscard]] double at(double z) const;  // [m]
 
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive("wall.displacement", level_);
+  }
+
  private:
   double spacing_;  // [m]
   std::vector<double> level_;

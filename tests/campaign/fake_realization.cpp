@@ -3,7 +3,7 @@
 //
 // CPT_FAKE holds rules "QUANTITY=VALUE:BEHAVIOUR", separated by ';': the behaviour of realizations whose
 // input has that value; "*:BEHAVIOUR" means all. CPT_FAKE_SECONDS is how long one takes (0.05). CPT_FAKE_LOG
-// names a file to which each start appends "process-id quantity-hash".
+// names a file to which each start appends "process-id settings-hash".
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/socket.h>
@@ -22,6 +22,7 @@
 #include "campaign/descriptors.hpp"
 #include "campaign/messages.hpp"
 #include "campaign/realization_child.hpp"
+#include "results/provenance.hpp"
 #include "solver/quantities.hpp"
 
 namespace {
@@ -55,8 +56,7 @@ std::string behaviour_of(const solver::Setup& setup) {
 void log_start(const solver::Setup& setup) {
   const std::string file = environment("CPT_FAKE_LOG", "");
   if (file.empty()) return;
-  const std::string line = std::to_string(::getpid()) + " " +
-                           std::to_string(std::hash<std::string>{}(solver::canonical_text(setup))) + "\n";
+  const std::string line = std::to_string(::getpid()) + " " + results::settings_hash(setup) + "\n";
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (::write(descriptor, line.data(), line.size()) < 0) throw std::runtime_error("cannot write " + file);
   ::close(descriptor);
@@ -93,13 +93,14 @@ solver::DepthProfile curve(const solver::Setup& setup) {
   return profile;
 }
 
-void misbehave(const std::string& behaviour) {
+void misbehave(const std::string& behaviour, solver::Observer& observer) {
   if (behaviour == "segfault") {
     ::signal(SIGSEGV, SIG_DFL);  // also under a sanitizer, which would catch it
     ::raise(SIGSEGV);
   }
   if (behaviour == "wait")
-    while (::access(environment("CPT_FAKE_GATE", "").c_str(), F_OK) != 0)
+    for (std::string reason;
+         ::access(environment("CPT_FAKE_GATE", "").c_str(), F_OK) != 0 && !observer.stop_requested(reason);)
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
   if (behaviour == "out_of_memory") ::raise(SIGKILL);
   if (behaviour == "throw") throw std::runtime_error("the fake throws");
@@ -133,7 +134,7 @@ solver::Outcome fake(const solver::Setup& setup, solver::Observer& observer, con
     outcome.steps = static_cast<std::int64_t>(static_cast<double>(all_steps) * fraction);
     const double final_depth = setup.penetrometer.final_depth;
     observer.progress({fraction * final_depth, final_depth, outcome.steps, material_points, elapsed});
-    misbehave(behaviour);  // after the first report
+    misbehave(behaviour, observer);  // after the first report
     if (behaviour != "deaf" && observer.stop_requested(outcome.reason)) {
       outcome.status = solver::Status::time_limit;
       return outcome;

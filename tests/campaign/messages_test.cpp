@@ -46,12 +46,14 @@ TEST(Messages, OrdersCarryTheSetupsOfAllProfilesAndPresets) {
   for (const solver::Profile profile : solver::all_profiles())
     for (const solver::Preset preset : solver::all_presets()) {
       const solver::Setup setup = solver::make_setup(profile, preset);
-      const auto order = std::get<Order>(decode(encode(Order{3, 2, 60.0, 5.0, setup})));
+      const auto order = std::get<Order>(decode(encode(Order{3, 2, 60.0, 5.0, setup, "/x/y.h5", 7.0})));
       EXPECT_EQ(solver::canonical_text(order.setup), solver::canonical_text(setup));
       EXPECT_EQ(order.realization, 3);
       EXPECT_EQ(order.threads, 2);
       EXPECT_EQ(order.wall_limit_seconds, 60.0);
       EXPECT_EQ(order.hang_limit_seconds, 5.0);
+      EXPECT_EQ(order.checkpoint, "/x/y.h5");
+      EXPECT_EQ(order.checkpoint_seconds, 7.0);
     }
 }
 
@@ -62,6 +64,16 @@ TEST(Messages, OrdersCarryEveryQuantity) {
     const auto order = std::get<Order>(decode(encode(Order{1, 1, 1.0, 1.0, setup})));
     EXPECT_EQ(quantity.get(order.setup), quantity.get(setup)) << quantity.name;
   }
+}
+
+TEST(Messages, RemarksAndInterruptionsTravel) {
+  const auto remark = std::get<Remark>(decode(encode(Remark{4, "goes on"})));
+  EXPECT_EQ(remark.realization, 4);
+  EXPECT_EQ(remark.text, "goes on");
+  for (const bool interrupted : {false, true})
+    EXPECT_EQ(std::get<OutcomeReport>(decode(encode(OutcomeReport{7, outcome(), interrupted}))).interrupted,
+              interrupted);
+  EXPECT_TRUE(std::holds_alternative<Stop>(decode(encode(Stop{}))));
 }
 
 TEST(Messages, TruncatedOrOverlongBytesAreMalformed) {

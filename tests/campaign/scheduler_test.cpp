@@ -36,6 +36,19 @@ TEST(Scheduler, FillsAllSlotsInOrderAndNoMore) {
   EXPECT_EQ(scheduler.tally().running, 3);
 }
 
+TEST(Scheduler, InterruptedRealizationIsTheNext) {
+  Scheduler scheduler(ids(5));
+  scheduler.add_rank(0, 0, 2);
+  ASSERT_EQ(hand_out(scheduler).size(), 2U);
+  EXPECT_FALSE(scheduler.put_back(2, 1)) << "not this rank's";
+  EXPECT_TRUE(scheduler.put_back(2, 0));
+  EXPECT_FALSE(scheduler.put_back(2, 0)) << "already";
+  EXPECT_EQ(scheduler.tally().pending, 4);
+  const auto next = hand_out(scheduler);
+  ASSERT_EQ(next.size(), 1U);
+  EXPECT_EQ(next[0].realization, 2);
+}
+
 TEST(Scheduler, EveryRealizationRunsExactlyOnce) {
   Scheduler scheduler(ids(21));
   scheduler.add_rank(0, 0, 1);

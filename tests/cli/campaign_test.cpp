@@ -193,7 +193,7 @@ TEST_P(Signalled, StopsCleanlyAndGoesOn) {
   EXPECT_EQ(contents(folder.file("small.sqlite")), undisturbed());
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, Signalled, testing::Values(SIGINT, SIGTERM, SIGHUP));
+INSTANTIATE_TEST_SUITE_P(Signals, Signalled, testing::Values(SIGINT, SIGTERM, SIGHUP, SIGUSR1));
 
 enum class Victim { launcher, master, worker, realization };
 class Killed : public testing::TestWithParam<Victim> {};
@@ -273,6 +273,24 @@ TEST(Campaign, WorkerToldToStopLeavesItsWorkToTheOthers) {
   const Result result = job.wait();
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.err.find("rank 1 was told to stop"), std::string::npos) << result.err;
+  EXPECT_EQ(contents(folder.file("small.sqlite")), undisturbed());
+}
+
+TEST(Campaign, RealizationToldToEndFromOutsideRunsAgainAtMostThrice) {
+  const StudyFolder folder;
+  Background job(campaign(arguments(folder.study(), {"--slots", "1"})), gated(folder, {"sand.H=75"}));
+  for (std::size_t times = 1; times <= 3; ++times) {
+    ASSERT_TRUE(held_up(folder, 3, 3 + times));
+    ASSERT_TRUE(eventually([&] { return !children_of(job.pid()).empty(); }));
+    ::kill(children_of(job.pid()).front(), times % 2 == 0 ? SIGTERM : SIGUSR1);
+  }
+  const Result result = job.wait();
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("realization 4 was told to end from outside; it starts again"), std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find("crashed after 0 s: told to end from outside 3 times"), std::string::npos)
+      << result.err;
+  EXPECT_EQ(run(campaign(arguments(folder.study(), {"--retry-failed"}))).exit_code, 0);
   EXPECT_EQ(contents(folder.file("small.sqlite")), undisturbed());
 }
 

@@ -89,5 +89,31 @@ TEST(RealSolver, KilledCampaignResumesToTheSameBits) {
   EXPECT_EQ(database_of(folder), expected);
 }
 
+TEST(RealSolver, StoppedCampaignGoesOnFromItsCheckpoints) {
+  const StudyFolder undisturbed, folder;
+  const std::string expected = run_undisturbed(undisturbed);
+  EXPECT_FALSE(std::filesystem::exists(undisturbed.file("push.checkpoints"))) << "left over";
+  folder.write("push.toml", few_millimetres);
+  const Command command = campaign({folder.file("push.toml"), "--slots", "1", "--threads", "1"});
+  std::string told;
+  for (const int signal : {SIGTERM, SIGUSR1}) {
+    Background job(command, {});
+    for (int i = 0; i < 500 && children_of(job.pid()).empty(); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    ASSERT_EQ(::kill(job.pid(), signal), 0);
+    const Result result = job.wait();
+    EXPECT_EQ(result.exit_code, 128 + signal) << result.err;
+    told += result.err;
+  }
+  EXPECT_FALSE(std::filesystem::is_empty(folder.file("push.checkpoints")));
+  const Result resumed = run(mpirun(2, {folder.file("push.toml"), "--threads", "2"}));
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  told += resumed.err;
+  EXPECT_NE(told.find("goes on from its checkpoint at"), std::string::npos) << told;
+  EXPECT_EQ(database_of(folder), expected);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("push.checkpoints")));
+}
+
 }  // namespace
 }  // namespace cpt::tests

@@ -129,6 +129,79 @@ TEST_F(Resume, ChangedBoundRunsAgainOthersAreKept) {
   EXPECT_EQ(ledger.pending(), std::vector<int>{3});
 }
 
+TEST_F(Resume, WhatWasEditedIsTold) {
+  { open(study).record(1, completed(1e6)); }
+  EXPECT_EQ(open(study).opened().messages.size(), 1u) << "only what is kept";
+  study.rows[0].upper = 80;
+  study.rows.pop_back();
+  study.baseline.contact.friction_ratio = 0.75;
+  study.windows[0].to = 0.33;
+  const Ledger ledger = open(study);
+  std::vector<std::string> told;
+  for (const std::string& message : ledger.opened().messages)
+    if (message.starts_with("the study has changed: ")) told.push_back(message.substr(23));
+  EXPECT_EQ(told, (std::vector<std::string>{"contact.friction_ratio: 0.75, was 0.5",
+                                            "initial.sigma_h0_kPa, bounds: gone, was 15 to 35",
+                                            "sand.H, bounds: 20 to 80, was 20 to 75",
+                                            "window deep: fixed 0.3 to 0.33 m, was fixed 0.3 to 0.32 m"}));
+}
+
+TEST_F(Resume, WhatIsDamagedRunsAgain) {
+  {
+    Ledger ledger = open(study);
+    for (const int id : ledger.pending()) ledger.record(id, completed(1e6 * id));
+  }
+  {
+    const Database database(study.database, Database::Mode::read_write);
+    database.execute(
+        "UPDATE curve SET q_c_Pa = substr(q_c_Pa, 1, 800) || x'01' || substr(q_c_Pa, 802) WHERE realization "
+        "= 3;"
+        "UPDATE realization SET energy_error = energy_error + 1e-9 WHERE id = 4;"
+        "UPDATE realization SET settings_hash = 'x' || settings_hash WHERE id = 5;"
+        "UPDATE curve SET f_s_Pa = x'00' WHERE realization = 6");
+  }
+  const Ledger ledger = open(study);
+  EXPECT_EQ(ledger.opened().damaged, 4);
+  EXPECT_EQ(ledger.opened().kept, 4);
+  EXPECT_EQ(ledger.opened().discarded, 0);
+  EXPECT_EQ(ledger.pending(), (std::vector<int>{3, 4, 5, 6}));
+  EXPECT_NE(ledger.opened().messages[1].find("4 realizations damaged"), std::string::npos);
+}
+
+TEST_F(Resume, RunsOfProgramsWithoutChecksumsAreKept) {
+  { open(study).record(1, completed(1e6)); }
+  Database(study.database, Database::Mode::read_write).execute("DROP TABLE checksum");
+  EXPECT_EQ(open(study).opened().kept, 1);
+}
+
+TEST_F(Resume, JournalSuitsTheFileSystem) {
+  const auto journal = [&](FileSystem system) {
+    RunOptions options;
+    options.file_system = system;
+    const Ledger ledger = Ledger::open_for_run(study, parameters::one_at_a_time(study), options);
+    const Database database(study.database, Database::Mode::read_only);
+    Statement mode = database.prepare("PRAGMA journal_mode");
+    EXPECT_TRUE(mode.step());
+    return mode.text(0);
+  };
+  EXPECT_EQ(journal(FileSystem::local), "wal");
+  EXPECT_EQ(journal(FileSystem::network), "delete");
+  // Left in WAL mode by a kill on another file system.
+  in_killed_process([&] { open(study).record(1, completed(1e6)); });
+  EXPECT_EQ(journal(FileSystem::network), "delete");
+  EXPECT_EQ(read_snapshot(study.database).curves.size(), 1u);
+}
+
+TEST(FileSystems, AreKnownByTheirMagicNumbers) {
+  for (const std::uint64_t network : {0x6969u, 0x517bu, 0xff534d42u, 0xfe534d42u, 0x0bd00bd0u, 0x47504653u,
+                                      0x19830326u, 0x00c36400u, 0x65735546u})
+    EXPECT_EQ(file_system_of_magic(network), FileSystem::network) << std::hex << network;
+  // ext4, XFS, btrfs, tmpfs, overlayfs, ZFS
+  for (const std::uint64_t local : {0xef53u, 0x58465342u, 0x9123683eu, 0x01021994u, 0x794c7630u, 0x2fc12fc1u})
+    EXPECT_EQ(file_system_of_magic(local), FileSystem::local) << std::hex << local;
+  EXPECT_EQ(file_system_of("/nowhere/at/all/x.sqlite"), FileSystem::network);
+}
+
 TEST_F(Resume, ReorderedAndRemovedRowsKeepTheirRuns) {
   {
     Ledger ledger = open(study);
