@@ -8,6 +8,7 @@
 #include <random>
 
 #include "parameters/designs/one_at_a_time.hpp"
+#include "results/atomic_file.hpp"
 #include "results/provenance.hpp"
 
 namespace cpt::diagnosis::concealed {
@@ -58,14 +59,7 @@ std::string salt_of(const Json& sealed, int id) {
 
 void write_whole(const std::filesystem::path& file, const std::string& text) {
   std::filesystem::create_directories(file.parent_path());
-  const std::filesystem::path part = file.string() + ".part";
-  {
-    std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-    stream << text;
-    stream.flush();
-    if (!stream) throw std::invalid_argument(fmt::format("cannot write {}", part.string()));
-  }
-  std::filesystem::rename(part, file);
+  results::write_atomically(file, text, "");
 }
 
 std::vector<Truth> sealed_truths(const Plan& plan, const parameters::Study& study) {

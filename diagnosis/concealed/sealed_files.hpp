@@ -20,7 +20,7 @@ void publish_seals(const Plan& plan, const std::vector<int>& made);
 /// The truths of the published cases. Throws std::invalid_argument if one does not fit its seal.
 [[nodiscard]] std::map<int, Truth> opened_truths(const Plan& plan);
 
-/// Writes whole or not at all. Throws std::invalid_argument if it cannot.
+/// Writes whole or not at all, with the folder it needs. Throws results::Error if it cannot.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace cpt::diagnosis::concealed
