@@ -93,7 +93,6 @@ class Model {
     archive("cells.modulus", modulus_);
     archive("cells.work", work_);
     archive("cells.divergence", divergence_);
-    archive("cells.viscous", viscous_);
     if constexpr (Archive::reading) make_scratch();
   }
 
