@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
@@ -43,7 +42,7 @@ std::filesystem::path answer_file(const Plan& plan, int id) {
 std::map<int, StoredAnswer> answers_of(const Plan& plan) {
   std::map<int, StoredAnswer> answers;
   std::vector<std::string> missing;
-  nlohmann::json record = nlohmann::json::object();
+  std::map<int, std::string> hashes;
   for (const auto& [id, seal] : published_seals(plan)) {
     if (!std::filesystem::exists(answer_file(plan, id))) {
       missing.push_back(case_name(id));
@@ -53,7 +52,7 @@ std::map<int, StoredAnswer> answers_of(const Plan& plan) {
     std::string said = answer.answer;
     for (const StoredAnswer::Weighed& h : answer.hypotheses)
       said += fmt::format("|{}={:.17g}", h.name, h.probability);
-    record[case_name(id)] = results::sha256(said);
+    hashes[id] = results::sha256(said);
     answers.emplace(id, std::move(answer));
   }
   if (!missing.empty())
@@ -62,10 +61,7 @@ std::map<int, StoredAnswer> answers_of(const Plan& plan) {
                     "hint: campaign diagnose --no-report {}",
                     missing.size(), missing.size() + answers.size(), missing.front(),
                     (plan.cases_folder / "case-*.toml").string()));
-  const std::filesystem::path file = plan.cases_folder / "answers.json";
-  if (!std::filesystem::exists(file))
-    write_whole(file, nlohmann::json{{"revealed", results::utc_now()}, {"answers", record}}.dump(1) + "\n");
-  else if (nlohmann::json::parse(text_of(file)).at("answers") != record)
+  if (!are_first_answers(plan, hashes))
     fmt::print(stderr, "note: answers of {} are not those of its first opening: no longer blind\n",
                plan.request.name);
   return answers;
@@ -100,7 +96,7 @@ reports::concealed::Benchmark opened(const std::filesystem::path& plan_file) {
   benchmark.title = plan.request.title;
   benchmark.profile = std::string(to_string(file.study.profile));
   benchmark.preset = std::string(to_string(file.study.preset));
-  benchmark.drawn = nlohmann::json::parse(text_of(plan.cases_folder / "seals.json")).at("drawn");
+  benchmark.drawn = drawn_at(plan);
   benchmark.withheld = plan.cases.total() - static_cast<int>(truths.size());
   for (const solver::Mechanism* mechanism : plan.request.mechanisms)
     benchmark.mechanisms.emplace_back(mechanism->name);

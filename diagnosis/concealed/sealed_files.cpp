@@ -108,6 +108,17 @@ std::map<int, std::string> published_seals(const Plan& plan) {
   return seals;
 }
 
+std::string drawn_at(const Plan& plan) { return read_json(seals_file(plan)).at("drawn").get<std::string>(); }
+
+bool are_first_answers(const Plan& plan, const std::map<int, std::string>& hashes) {
+  const std::filesystem::path file = plan.cases_folder / "answers.json";
+  Json answers = Json::object();
+  for (const auto& [id, hash] : hashes) answers[case_name(id)] = hash;
+  if (std::filesystem::exists(file)) return read_json(file).value("answers", Json()) == answers;
+  write_whole(file, Json{{"revealed", results::utc_now()}, {"answers", answers}}.dump(1) + "\n");
+  return true;
+}
+
 std::map<int, Truth> opened_truths(const Plan& plan) {
   const Json sealed = read_json(truth_file(plan));
   const std::map<int, std::string> seals = published_seals(plan);

@@ -17,6 +17,13 @@ void publish_seals(const Plan& plan, const std::vector<int>& made);
 /// Cases by number, with their seals, of NAME-cases/seals.json. Throws std::invalid_argument without it.
 [[nodiscard]] std::map<int, std::string> published_seals(const Plan& plan);
 
+/// When the cases were drawn, UTC. Throws as published_seals.
+[[nodiscard]] std::string drawn_at(const Plan& plan);
+
+/// Puts the answers' hashes, by case, on record before the truth is opened the first time; later tells
+/// whether they are still those.
+[[nodiscard]] bool are_first_answers(const Plan& plan, const std::map<int, std::string>& hashes);
+
 /// The truths of the published cases. Throws std::invalid_argument if one does not fit its seal.
 [[nodiscard]] std::map<int, Truth> opened_truths(const Plan& plan);
 

@@ -41,7 +41,7 @@ const std::vector<Outside> outside = {
     {"openssl/.*", {"results/provenance.cpp"}},
     {"mpi\\.h", {"campaign/mpi_transport.cpp"}},
     {"CLI/.*", {"cli/"}},
-    {"nlohmann/.*", {"results/table_format.cpp", "reports/"}},
+    {"nlohmann/.*", {"results/table_format.cpp", "reports/", "diagnosis/concealed/"}},
     {"librsvg/.*|cairo.*", {"reports/"}},
     {"Eigen/.*", {"solver/", "parameters/calibration/trend.cpp", "diagnosis/"}},
     {"boost/math/.*",
