@@ -29,7 +29,7 @@ constexpr double muster_limit =
 
 std::string describe(const parameters::Study& study, const parameters::Realization& realization) {
   if (realization.side == parameters::Side::baseline) return "baseline";
-  if (realization.side == parameters::Side::point) return std::string(parameter_name(study, realization));
+  if (realization.point >= 0) return std::string(parameter_name(study, realization));
   return fmt::format("{} = {}", parameter_name(study, realization), value_text(study, realization));
 }
 

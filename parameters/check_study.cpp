@@ -51,7 +51,7 @@ void check_physics(const Study& study, const QuantitySections& sections, const S
   };
   for (const Realization& realization : one_at_a_time(study)) {
     if (realization.side == Side::baseline) continue;
-    if (realization.side == Side::point) {
+    if (realization.point >= 0) {
       for (const solver::Problem& problem : solver::problems(make_setup(study, realization)))
         if (!in_baseline(problem) && !involves_doubtful(problem, sections))
           errors.add(places.points[static_cast<std::size_t>(realization.point)],

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -34,9 +35,9 @@ class StudyReader {
   }
 
   Study read() {
-    static constexpr std::array<std::string_view, 11> known = {"title",   "profile", "preset",     "output",
+    static constexpr std::array<std::string_view, 12> known = {"title",   "profile", "preset",     "output",
                                                                "limits",  "fixed",   "parameters", "points",
-                                                               "windows", "layers",  "zones"};
+                                                               "windows", "layers",  "zones",      "repeats"};
     refuse_unknown_keys(root_, "", known, errors_);
     study_.title = text_field(root_, "", "title", false, errors_).value_or(study_.name);
     const bool profile_known = read_profile();
@@ -54,6 +55,7 @@ class StudyReader {
     if (!layers.empty()) study_.baseline.layers = layers;  // setting the soil's height moves the last layer
 
     read_points(!profile_known && layers.empty());
+    read_repeats();
     read_windows();
     if (profile_known) check_study(study_, sections, places_, errors_);
     return std::move(study_);
@@ -173,6 +175,34 @@ class StudyReader {
         errors_.add(table->place, "points", "changes nothing", "give at least one quantity a value");
       study_.points.push_back(std::move(point));
       places_.points.push_back(table->place);
+    }
+  }
+
+  // The baseline with its material points shifted evenly to either side; the baseline itself is the middle
+  // one.
+  void read_repeats() {
+    const Member* member = root_.find("repeats");
+    const auto number = number_field(root_, "", "repeats", false, errors_);
+    if (!number) return;
+    constexpr double most = 20.0, farthest = 0.4;  // [-], [cells' share of a point]
+    if (*number < 2.0 || *number > most || std::fmod(*number, 2.0) != 0.0)
+      return errors_.add(member->value.place, "repeats",
+                         fmt::format("{} must be an even number from 2 to {}", *number, most),
+                         "half of them shift the material points one way, half the other");
+    const solver::Quantity* shift = solver::find_quantity("numerics.point_shift");
+    const int runs = static_cast<int>(*number);
+    for (int k = 0, name = 0; k <= runs; ++k) {
+      if (2 * k == runs) continue;
+      // A grid shifted by a whole spacing is the same grid.
+      const double value =
+          std::remainder(shift->value(study_.baseline) + farthest * (2.0 * k / runs - 1.0), 1.0);
+      DesignPoint point{fmt::format("repeat {}", ++name), {{shift, value}}, true};
+      for (const DesignPoint& other : study_.points)
+        if (other.name == point.name)
+          errors_.add(member->place, "repeats",
+                      fmt::format("\"{}\" names a point of the study already", point.name));
+      study_.points.push_back(std::move(point));
+      places_.points.push_back(member->place);
     }
   }
 

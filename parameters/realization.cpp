@@ -14,6 +14,8 @@ std::string_view to_string(Side side) {
       return "upper";
     case Side::point:
       return "point";
+    case Side::repeat:
+      return "repeat";
   }
   return "";
 }

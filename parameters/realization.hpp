@@ -8,14 +8,14 @@
 
 namespace cpt::parameters {
 
-enum class Side { baseline, lower, upper, point };
+enum class Side { baseline, lower, upper, point, repeat };
 [[nodiscard]] std::string_view to_string(Side side);
 
 struct Realization {
   int id = 0;    ///< from 1: the baseline is 1, then rows in file order, lower first, then points
   int row = -1;  ///< index into Study::rows; -1 for the baseline and points
   Side side = Side::baseline;
-  int point = -1;  ///< index into Study::points; -1 but for points
+  int point = -1;  ///< index into Study::points; -1 but for points and repeats
 };
 
 /// Dotted name of the changed quantity, a point's own name; "" for the baseline.

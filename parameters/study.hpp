@@ -25,10 +25,12 @@ struct Change {
   double value;
 };
 
-/// A realization beside those of the rows: several inputs changed at once.
+/// A realization beside those of the rows: several inputs changed at once, or the baseline repeated with
+/// shifted material points.
 struct DesignPoint {
   std::string name;  ///< unique in the study; letters, digits, _ - . and spaces
   std::vector<Change> changes;
+  bool repeat = false;
 };
 
 /// Depth interval over which q_c is averaged.
@@ -49,7 +51,7 @@ struct Study {
   solver::Preset preset;
   solver::Setup baseline;            ///< preset + fixed inputs + every row's baseline
   std::vector<Row> rows;             ///< in file order
-  std::vector<DesignPoint> points;   ///< in file order
+  std::vector<DesignPoint> points;   ///< in file order, then the repeats
   std::vector<Window> windows;       ///< at least one
   std::filesystem::path database;    ///< default NAME.sqlite beside the study
   std::filesystem::path curves;      ///< default NAME.h5

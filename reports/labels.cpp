@@ -49,6 +49,16 @@ std::vector<results::SensitivityRow> sensitivity_in(const Snapshot& campaign, st
   return rows;
 }
 
+const results::RepeatNoiseRow* repeat_noise_of(const Snapshot& campaign, std::string_view window) {
+  const auto found = std::find_if(campaign.repeat_noise.begin(), campaign.repeat_noise.end(),
+                                  [&](const results::RepeatNoiseRow& row) { return row.window == window; });
+  return found == campaign.repeat_noise.end() ? nullptr : &*found;
+}
+
+bool within_noise(const results::SensitivityRow& row) {
+  return !row.above_noise.value_or(true) || !row.above_repeats.value_or(true);
+}
+
 Rich symbol_of(const Snapshot& campaign, const ParameterRow& parameter) {
   const auto same = std::count_if(campaign.parameters.begin(), campaign.parameters.end(),
                                   [&](const ParameterRow& p) { return p.symbol == parameter.symbol; });
@@ -64,7 +74,7 @@ Rich unit_of(const ParameterRow& parameter) {
 
 Rich run_label(const Snapshot& campaign, const RealizationRow& run) {
   if (run.parameter.empty()) return plain("baseline");
-  if (run.side == "point") return plain(run.parameter);
+  if (run.side == "point" || run.side == "repeat") return plain(run.parameter);
   const ParameterRow& parameter = parameter_of(campaign, run.parameter);
   const bool bare = parameter.unit.empty() || parameter.unit == "-";
   return symbol_of(campaign, parameter) +

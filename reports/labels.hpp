@@ -17,6 +17,11 @@ namespace cpt::reports {
 /// The realization at a bound; nullptr where the bound equals the baseline.
 [[nodiscard]] const results::RealizationRow* bound_run(const results::Snapshot& campaign,
                                                        std::string_view parameter, std::string_view side);
+/// What the repeats of the baseline say of a window; nullptr without repeats.
+[[nodiscard]] const results::RepeatNoiseRow* repeat_noise_of(const results::Snapshot& campaign,
+                                                             std::string_view window);
+/// True where the index is known to lie within the noise of the baseline's curve or of its repeats.
+[[nodiscard]] bool within_noise(const results::SensitivityRow& row);
 [[nodiscard]] std::vector<results::SensitivityRow> sensitivity_in(const results::Snapshot& campaign,
                                                                   std::string_view window);
 

@@ -48,16 +48,24 @@ Table window_table(const Snapshot& s) {
   return table;
 }
 
+Table repeat_noise_table(const Snapshot& s) {
+  Table table{{"window", "runs", "q_c_mean_kPa", "q_c_deviation_kPa", "si_half_width"}, {}};
+  for (const auto& r : s.repeat_noise)
+    table.rows.push_back({r.window, whole(r.runs), r.q_c_mean_kPa, r.q_c_deviation_kPa, r.si_half_width});
+  return table;
+}
+
 }  // namespace
 
 Table sensitivity_table(const Snapshot& s) {
   Table table{{"window", "parameter", "q_lower_kPa", "q_upper_kPa", "q_baseline_kPa", "si", "si_abs",
-               "si_noise", "above_noise", "note"},
+               "si_noise", "above_noise", "si_half_width", "above_repeats", "note"},
               {}};
   for (const auto& r : s.sensitivity)
     add_row(table, r.window, r.parameter, number_or_empty(r.q_lower_kPa), number_or_empty(r.q_upper_kPa),
             number_or_empty(r.q_baseline_kPa), number_or_empty(r.si), number_or_empty(r.si_abs),
-            number_or_empty(r.si_noise), flag(r.above_noise), r.note);
+            number_or_empty(r.si_noise), flag(r.above_noise), number_or_empty(r.si_half_width),
+            flag(r.above_repeats), r.note);
   return table;
 }
 
@@ -102,6 +110,7 @@ std::string report_json(const Snapshot& s) {
   all["windows"] = rows(window_table(s));
   all["realizations"] = rows(realization_table(s));
   all["window_means"] = rows(window_mean_table(s));
+  all["repeat_noise"] = rows(repeat_noise_table(s));
   all["sensitivity"] = rows(sensitivity_table(s));
   return all.dump(2) + "\n";
 }

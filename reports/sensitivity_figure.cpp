@@ -31,9 +31,22 @@ std::vector<SensitivityRow> sorted_rows(const Snapshot& campaign, const std::str
 
 void draw_bar(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
   if (!std::isfinite(row.si)) return;
-  const bool quiet = row.above_noise.has_value() && !*row.above_noise;
   svg.rectangle({axis.from, y - 0.5 * bar_height, axis(row.si_abs) - axis.from, bar_height},
-                row.si < 0.0 ? palette::orange : palette::blue, quiet ? 0.4 : 1.0);
+                row.si < 0.0 ? palette::orange : palette::blue, within_noise(row) ? 0.4 : 1.0);
+}
+
+/// How far the index goes at either end of its interval [-].
+double end_of(const SensitivityRow& row) {
+  return row.si_abs + (std::isfinite(row.si_half_width) ? row.si_half_width : 0.0);
+}
+
+/// The interval that the repeats give, about the end of the bar.
+void draw_interval(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
+  if (!std::isfinite(row.si) || !std::isfinite(row.si_half_width)) return;
+  const double from = axis(std::max(0.0, row.si_abs - row.si_half_width)), to = axis(end_of(row));
+  const Pen pen{palette::ink, 0.9, {}};
+  svg.line({from, y}, {to, y}, pen);
+  for (const double x : {from, to}) svg.line({x, y - 2.2}, {x, y + 2.2}, pen);
 }
 
 /// The index behind its bar, or why there is none; kept clear of the noise line.
@@ -46,7 +59,7 @@ void draw_value(Svg& svg, const Axis& axis, const SensitivityRow& row, double y)
     return;
   }
   const Rich text = plain(decimals(row.si, 3));
-  double x = axis(row.si_abs) + 3.0;
+  double x = axis(end_of(row)) + 3.0;
   const double noise = axis(row.si_noise);
   if (noise > x - 2.0 && noise < x + width(text, value_size) + 2.0) x = noise + 3.0;
   svg.text({x, base}, text, {.size = value_size, .halo = true});
@@ -74,7 +87,7 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
       draw_heading(svg, campaign, campaign.campaign.title, {window_line(window, what, figure_width)});
   const double left = 14.0 + label_width + 8.0;
   const Box plot{left, top + 4.0, figure_width - 14.0 - left, plot_height};
-  const double largest = std::max(rows.front().si_abs, std::isfinite(noise) ? noise : 0.0);
+  const double largest = std::max(end_of(rows.front()), std::isfinite(noise) ? noise : 0.0);
   const double high = largest > 0.0 ? largest * plot.width / (plot.width - value_room) : 1.0;
   const Axis axis{0.0, high, plot.x, plot.right()};
 
@@ -86,6 +99,7 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   for (std::size_t i = 0; i < rows.size(); ++i) {
     svg.text({plot.x - 8.0, row_y(i) + 0.34 * label_size}, labels[i],
              {.size = label_size, .anchor = Anchor::end});
+    draw_interval(svg, axis, rows[i], row_y(i));
     draw_value(svg, axis, rows[i], row_y(i));
   }
   svg.line({plot.x, plot.y}, {plot.x, plot.bottom()}, {palette::ink, 0.6, {}});
@@ -108,6 +122,12 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   if (std::isfinite(noise)) {
     svg.line({x, legend}, {x + 16.0, legend}, {palette::ink, 1.0, "4 2.5"});
     entry(symbolic("SI_noise") + plain(" = " + decimals(noise, 4)), 16.0);
+  }
+  if (std::isfinite(rows.front().si_half_width)) {
+    svg.line({x, legend}, {x + 12.0, legend}, {palette::ink, 0.9, {}});
+    for (const double end : {x, x + 12.0})
+      svg.line({end, legend - 2.2}, {end, legend + 2.2}, {palette::ink, 0.9, {}});
+    entry(plain("95 %, repeats"), 12.0);
   }
   return svg.document(fmt::format("Sensitivity index: {}, {}", campaign.campaign.title, window.name));
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -120,6 +121,18 @@ class Writer {
   std::vector<PdfPage> pages_;
 };
 
+/// Which inputs stand above both noises, in words.
+std::string loud_inputs(const Snapshot& s, const std::vector<results::SensitivityRow>& rows) {
+  std::string names;
+  for (const auto& row : rows)
+    if (std::isfinite(row.si) && !within_noise(row)) {
+      names += names.empty() ? "" : ", ";
+      for (const Span& span : symbol_of(s, parameter_of(s, row.parameter))) names += span.text;
+    }
+  return names.empty() ? "No input is above the noise of the baseline and of its repeats."
+                       : "Above the noise of the baseline and of its repeats: " + names + ".";
+}
+
 void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& window) {
   out.heading("Sensitivity: " + window.name);
   if (!window.problem.empty()) return out.paragraph(window.problem);
@@ -135,18 +148,23 @@ void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& win
                   "at the lower bound) / q at the upper bound, after Yost et al. (2023), eq. 3.",
                   depth_range(window.from_m, window.to_m), number(rows.front().q_baseline_kPa, 5),
                   decimals(rows.front().si_noise, 4)));
-  const std::vector<double> widths = {58, 42, 44, 42, 68, 68, 42, column - 364};
+  if (const auto* noise = repeat_noise_of(s, window.name))
+    out.paragraph(fmt::format(
+        "± is half the 95 % interval of SI from {} runs of the baseline with shifted material points, "
+        "which scatter by {} kPa (standard deviation). {}",
+        noise->runs, number(noise->q_c_deviation_kPa, 3), loud_inputs(s, rows)));
+  const std::vector<double> widths = {58, 42, 44, 42, 68, 68, 42, 38, column - 402};
   out.row({plain("input"), plain("lower"), plain("baseline"), plain("upper"), plain("q lower (kPa)"),
-           plain("q upper (kPa)"), plain("SI (-)"), plain("note")},
+           plain("q upper (kPa)"), plain("SI (-)"), plain("± (-)"), plain("note")},
           widths, true);
   for (const auto& row : rows) {
     const auto& p = parameter_of(s, row.parameter);
-    const bool quiet = row.above_noise.has_value() && !*row.above_noise;
     out.row({symbol_of(s, p) + unit_of(p), plain(p.lower_text), plain(p.baseline_text), plain(p.upper_text),
              plain(number(row.q_lower_kPa, 5)), plain(number(row.q_upper_kPa, 5)), plain(decimals(row.si, 4)),
-             plain(!row.note.empty() ? row.note
-                   : quiet           ? "within the noise"
-                                     : "")},
+             plain(std::isfinite(row.si_half_width) ? decimals(row.si_half_width, 4) : ""),
+             plain(!row.note.empty()   ? row.note
+                   : within_noise(row) ? "within the noise"
+                                       : "")},
             widths);
   }
 }

@@ -154,16 +154,16 @@ Ledger Ledger::open_for_run(const parameters::Study& study,
   Database database(file, Database::Mode::read_write);
   const bool created = is_empty(database);
   if (!created) check_schema(database);
-  if (!created && !study.points.empty() && database.integer("PRAGMA user_version") < schema_version)
-    throw Error(file.string() + ": was made before studies could have points; move it away and run again");
   if (!created) refuse_damaged(database);
   const FileSystem system = options.file_system.value_or(file_system_of(file));
   database.execute(fmt::format("PRAGMA journal_mode = {}; PRAGMA synchronous = FULL", journal_mode(system)));
 
   Transaction transaction(database, Transaction::Kind::write);
   database.execute("PRAGMA defer_foreign_keys = ON");
-  if (created) create_schema(database);
-  create_checksums(database);
+  if (created)
+    create_schema(database);
+  else
+    upgrade_schema(database);
   const std::vector<std::string> changes = study_changes(database, study);
   Opened opened = match_realizations(database, study, realizations, options.retry_failed);
   refuse_other_study(database, study, opened);
@@ -246,12 +246,14 @@ void Ledger::record(int id, const solver::Outcome& outcome) {
   Transaction transaction(database, Transaction::Kind::write);
   require_waiting(database, id);
   write_outcome(database, id, outcome);
-  const bool baseline =
-      database.prepare("SELECT 1 FROM realization WHERE id = ? AND side = 'baseline'").bind(id).step();
-  if (baseline) {
+  Statement row = database.prepare("SELECT side FROM realization WHERE id = ?");
+  row.bind(id);
+  const std::string side = row.step() ? row.text(0) : "";
+  if (side == "baseline") {
     recompute_windows(database, state_->study);
   } else if (outcome.status == solver::Status::completed) {
     write_window_means(database, id, outcome.profile);
+    if (side == "repeat") recompute_repeat_noise(database);
   }
   transaction.commit();
 }

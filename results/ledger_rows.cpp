@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <vector>
 
 #include "results/provenance.hpp"
+#include "results/repeat_noise.hpp"
 #include "results/windows.hpp"
 
 namespace cpt::results {
@@ -172,7 +174,8 @@ void write_study(const Database& database, const parameters::Study& study, const
       .run();
 
   database.execute(
-      "DELETE FROM layer; DELETE FROM parameter; DELETE FROM window_mean; DELETE FROM depth_window");
+      "DELETE FROM layer; DELETE FROM parameter; DELETE FROM window_mean; DELETE FROM repeat_noise; "
+      "DELETE FROM depth_window");
   int position = 0;
   for (const solver::Layer& layer : study.baseline.layers)
     database.prepare("INSERT INTO layer VALUES (?, ?, ?, ?)")
@@ -291,6 +294,25 @@ void recompute_windows(const Database& database, const parameters::Study& study)
   Statement rows = database.prepare("SELECT id FROM realization WHERE status = 'completed' ORDER BY id");
   while (rows.step()) completed.push_back(static_cast<int>(rows.integer(0)));
   for (const int id : completed) write_window_means(database, id, read_profile(database, id));
+  recompute_repeat_noise(database);
+}
+
+void recompute_repeat_noise(const Database& database) {
+  database.execute("DELETE FROM repeat_noise");
+  std::map<std::string, std::vector<double>> averages;  // by window
+  Statement rows = database.prepare(
+      "SELECT m.window, m.q_c_mean_kPa FROM window_mean AS m JOIN realization AS r ON r.id = m.realization "
+      "WHERE r.side IN ('baseline', 'repeat') ORDER BY m.window, r.id");
+  while (rows.step()) averages[rows.text(0)].push_back(rows.number(1));
+  for (const auto& [window, numbers] : averages)
+    if (const auto noise = repeat_noise(numbers); noise && noise->mean > 0.0)
+      database.prepare("INSERT INTO repeat_noise VALUES (?, ?, ?, ?, ?)")
+          .bind(window)
+          .bind(noise->runs)
+          .bind(noise->mean)
+          .bind(noise->deviation)
+          .bind(index_half_width(*noise))
+          .run();
 }
 
 }  // namespace cpt::results

@@ -49,5 +49,8 @@ void write_window_means(const Database& database, int id, const solver::DepthPro
 /// Resolves the windows on the baseline's curve and averages every completed realization's. A function of the
 /// stored curves alone, so the order in which realizations finish does not show.
 void recompute_windows(const Database& database, const parameters::Study& study);
+/// The scatter of the baseline and its completed repeats in each window; no row with fewer than three. A
+/// function of the window means alone.
+void recompute_repeat_noise(const Database& database);
 
 }  // namespace cpt::results

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 namespace cpt::results {
 namespace {
 
@@ -46,7 +50,7 @@ CREATE TABLE parameter (
 CREATE TABLE realization (
   id               INTEGER PRIMARY KEY,
   parameter        TEXT,
-  side             TEXT NOT NULL CHECK (side IN ('baseline', 'lower', 'upper', 'point')),
+  side             TEXT NOT NULL CHECK (side IN ('baseline', 'lower', 'upper', 'point', 'repeat')),
   value            REAL,
   value_text       TEXT NOT NULL,
   status           TEXT NOT NULL CHECK (status IN ('pending', 'running', 'completed', 'did_not_converge',
@@ -100,14 +104,25 @@ CREATE TABLE window_mean (
   q_c_max_kPa      REAL NOT NULL,
   PRIMARY KEY (realization, window)
 ) WITHOUT ROWID;
-)sql";
 
-constexpr const char* checksum_table = R"sql(
-CREATE TABLE IF NOT EXISTS checksum (
+CREATE TABLE checksum (
   realization      INTEGER PRIMARY KEY REFERENCES realization (id) ON UPDATE CASCADE ON DELETE CASCADE,
   sha256           TEXT NOT NULL
 );
+
+CREATE TABLE repeat_noise (
+  window           TEXT PRIMARY KEY REFERENCES depth_window (name),
+  runs             INTEGER NOT NULL,
+  q_c_mean_kPa     REAL NOT NULL,
+  q_c_deviation_kPa REAL NOT NULL,
+  si_half_width    REAL NOT NULL
+);
 )sql";
+
+// A table after those that refer to it.
+constexpr std::array<const char*, 9> table_names = {"checksum",  "repeat_noise", "window_mean",
+                                                    "curve",     "depth_window", "realization",
+                                                    "parameter", "layer",        "campaign"};
 
 // SI and SI_noise as in sensitivity.hpp. A bound without a realization of its own equals the baseline.
 constexpr const char* sensitivity_view = R"sql(
@@ -147,6 +162,7 @@ value AS (
 )
 SELECT window, parameter, q_lower AS q_lower_kPa, q_upper AS q_upper_kPa, q_baseline AS q_baseline_kPa,
        si, abs(si) AS si_abs, si_noise, abs(si) > si_noise AS above_noise,
+       si_half_width, abs(si) > si_half_width AS above_repeats,
        CASE
          WHEN window_problem <> '' THEN 'undefined: ' || window_problem
          WHEN si IS NULL AND q_lower IS NOT NULL AND q_upper IS NOT NULL
@@ -162,7 +178,7 @@ SELECT window, parameter, q_lower AS q_lower_kPa, q_upper AS q_upper_kPa, q_base
                 CASE WHEN no_baseline = '' THEN 'q_c of the baseline is not positive' ELSE no_baseline END
                 ELSE '' END, '; ')
        END AS note
-FROM value
+FROM value LEFT JOIN repeat_noise USING (window)
 ORDER BY window_position, parameter_position;
 )sql";
 
@@ -182,6 +198,10 @@ JOIN depth_window AS w ON w.name = s.window
 ORDER BY w.position, rank;
 )sql";
 
+bool has(const Database& database, const std::string& table) {
+  return database.prepare("SELECT 1 FROM sqlite_schema WHERE type = 'table' AND name = ?").bind(table).step();
+}
+
 }  // namespace
 
 void create_schema(const Database& database) {
@@ -192,7 +212,21 @@ void create_schema(const Database& database) {
       fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, schema_version));
 }
 
-void create_checksums(const Database& database) { database.execute(checksum_table); }
+// No version has changed a table's columns, only what they may hold, so rows are taken over as they are.
+void upgrade_schema(const Database& database) {
+  if (database.integer("PRAGMA user_version") == schema_version) return;
+  database.execute("DROP VIEW tornado; DROP VIEW sensitivity; DROP INDEX realization_of_bound");
+  std::vector<std::string> old;
+  for (const char* table : table_names) {
+    if (!has(database, table)) continue;
+    database.execute(fmt::format("ALTER TABLE {0} RENAME TO old_{0}", table));
+    old.emplace_back(table);
+  }
+  create_schema(database);
+  for (auto table = old.rbegin(); table != old.rend(); ++table)
+    database.execute(fmt::format("INSERT INTO {0} SELECT * FROM old_{0}", *table));
+  for (const std::string& table : old) database.execute(fmt::format("DROP TABLE old_{}", table));
+}
 
 bool is_empty(const Database& database) {
   return database.integer("SELECT count(*) FROM sqlite_schema") == 0;

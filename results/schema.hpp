@@ -6,15 +6,15 @@
 namespace cpt::results {
 
 /// Raised whenever a table or view changes in a way that a reader would notice.
-inline constexpr int schema_version = 2;
-/// The oldest that is still read, and run on where the study has no points: version 2 only allows more.
+inline constexpr int schema_version = 3;
+/// The oldest that is still read; a campaign that goes on brings it to the present version.
 inline constexpr int oldest_schema_version = 1;
 
 /// Creates all tables and views in an empty database.
 void create_schema(const Database& database);
 
-/// Creates the table of checksums where it is missing: databases of earlier programs have none.
-void create_checksums(const Database& database);
+/// Brings an older ledger to this version, all that it holds kept. Within a transaction of the caller.
+void upgrade_schema(const Database& database);
 
 /// True if the database holds nothing at all.
 [[nodiscard]] bool is_empty(const Database& database);

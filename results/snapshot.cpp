@@ -70,11 +70,26 @@ void read_numbers(const Database& database, Snapshot& s) {
   while (means.step())
     s.window_means.push_back({static_cast<int>(means.integer(0)), means.text(1), means.number(2),
                               means.number(3), means.number(4), means.number(5), means.number(6)});
-  Statement si = database.prepare("SELECT * FROM sensitivity");
+  const bool repeats = database.integer("PRAGMA user_version") >= 3;  // earlier ledgers know none
+  if (repeats) {
+    Statement noise = database.prepare(
+        "SELECT window, runs, q_c_mean_kPa, q_c_deviation_kPa, si_half_width FROM repeat_noise ORDER BY "
+        "window");
+    while (noise.step())
+      s.repeat_noise.push_back({noise.text(0), static_cast<int>(noise.integer(1)), noise.number(2),
+                                noise.number(3), noise.number(4)});
+  }
+  Statement si =
+      database.prepare(fmt::format("SELECT window, parameter, q_lower_kPa, q_upper_kPa, q_baseline_kPa, si, "
+                                   "si_abs, si_noise, above_noise, "
+                                   "note, {} FROM sensitivity",
+                                   repeats ? "si_half_width, above_repeats" : "NULL, NULL"));
+  const auto flag = [&](int column) {
+    return si.is_null(column) ? std::nullopt : std::optional(si.integer(column) != 0);
+  };
   while (si.step())
     s.sensitivity.push_back({si.text(0), si.text(1), si.number(2), si.number(3), si.number(4), si.number(5),
-                             si.number(6), si.number(7),
-                             si.is_null(8) ? std::nullopt : std::optional(si.integer(8) != 0), si.text(9)});
+                             si.number(6), si.number(7), flag(8), si.number(10), flag(11), si.text(9)});
   Statement curves =
       database.prepare("SELECT realization, depth_m, q_c_Pa, f_s_Pa FROM curve ORDER BY realization");
   while (curves.step())

@@ -39,7 +39,7 @@ struct ParameterRow {
 struct RealizationRow {
   int id = 0;
   std::string parameter;  ///< empty for the baseline
-  std::string side;       ///< "baseline", "lower" or "upper"
+  std::string side;       ///< "baseline", "lower", "upper", "point" or "repeat"
   double value;           ///< study unit; NaN for the baseline
   std::string value_text;
   std::string status;  ///< "pending", "running" or a solver::Status name
@@ -67,12 +67,22 @@ struct WindowMeanRow {
   double from_m, to_m, q_c_mean_kPa, q_c_min_kPa, q_c_max_kPa;
 };
 
+/// Row of `repeat_noise`: the baseline and its repeats.
+struct RepeatNoiseRow {
+  std::string window;
+  int runs = 0;
+  double q_c_mean_kPa, q_c_deviation_kPa;
+  double si_half_width;  ///< [-] of the 95 % interval of SI
+};
+
 /// Row of the view `sensitivity`. NaN where undefined; the note says why.
 struct SensitivityRow {
   std::string window, parameter;
   double q_lower_kPa, q_upper_kPa, q_baseline_kPa;
   double si, si_abs, si_noise;
   std::optional<bool> above_noise;
+  double si_half_width;  ///< of the 95 % interval that the repeats give; NaN without repeats
+  std::optional<bool> above_repeats;
   std::string note;
 };
 
@@ -89,6 +99,7 @@ struct Snapshot {
   std::vector<RealizationRow> realizations;  ///< by id
   std::vector<WindowRow> windows;            ///< in the study's order
   std::vector<WindowMeanRow> window_means;
+  std::vector<RepeatNoiseRow> repeat_noise;
   std::vector<SensitivityRow> sensitivity;  ///< by window, then parameter, in the study's order
   std::vector<CurveRow> curves;             ///< by realization
 };

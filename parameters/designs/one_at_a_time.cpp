@@ -13,7 +13,9 @@ std::vector<Realization> one_at_a_time(const Study& study) {
     if (row.upper != row.baseline) add(i, Side::upper);
   }
   for (int i = 0; i < static_cast<int>(study.points.size()); ++i)
-    realizations.push_back({static_cast<int>(realizations.size()) + 1, -1, Side::point, i});
+    realizations.push_back({static_cast<int>(realizations.size()) + 1, -1,
+                            study.points[static_cast<std::size_t>(i)].repeat ? Side::repeat : Side::point,
+                            i});
   return realizations;
 }
 

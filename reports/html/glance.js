@@ -24,11 +24,14 @@ function glance() {
       text.append(`(${depths(window)}): the baseline's `, rich(q_c),
         ` averages ${number(mean(baseline, window).q_c_mean_kPa)} kPa. `);
       const first = d3.greatest(rows, swing);
-      const loud = rows.filter((row) => row.above_noise === 1).length;
+      const loud = rows.filter(is_loud);
+      const repeats = repeats_in(window);
       if (first)
         text.append(rich(parameter_of.get(first.parameter).label), ` changes it most, from ` +
           `${number(first.q_lower_kPa)} kPa at its lower to ${number(first.q_upper_kPa)} kPa at its upper bound. ` +
-          `The index of ${loud} of ${indices_in(window).length} inputs exceeds the noise of the baseline.`);
+          `The index of ${loud.length} of ${indices_in(window).length} inputs exceeds the noise of the baseline` +
+          `${repeats ? ` and of its ${repeats.runs - 1} repeats` : ""}`,
+          ...loud.flatMap((row, k) => [k ? ", " : ": ", rich(parameter_of.get(row.parameter).label)]), ".");
     } else text.append("has no baseline yet.");
     byId("glance").append(text);
   }

@@ -6,7 +6,7 @@ const lines_of = (row) => {
   return [`${plain(p.label)}: ${p.meaning}`,
     `lower ${p.lower} ${p.unit}: ${number(row.q_lower_kPa)} kPa`,
     `upper ${p.upper} ${p.unit}: ${number(row.q_upper_kPa)} kPa`,
-    `SI ${decimals(row.si, 4)}`, row.note].filter((line) => line).join("\n");
+    `SI ${decimals(row.si, 4)}${known(row.si_half_width) ? ` ± ${decimals(row.si_half_width, 4)}` : ""}`, row.note].filter((line) => line).join("\n");
 };
 const tip = (rows, options) =>
   Plot.tip(rows, Plot.pointerY({ ...options, title: lines_of, fill: "var(--paper)", stroke: "var(--muted)" }));
@@ -66,19 +66,21 @@ function indices(window) {
   const labels = rows.map((row) => parameter_of.get(row.parameter).label);
   const noise = rows.map((row) => row.si_noise).find(known);
   const bars = rows.filter((row) => known(row.si_abs));
-  const loud = (row) => row.above_noise === 1;
+  const half = (row) => row.si_half_width || 0;
   const bar = (some, fill, className) => Plot.barX(some, { x: "si_abs", y: "parameter", fill, className });
   return (width) => {
     const svg = Plot.plot({
       ...frame_of(rows, labels, width),
-      x: { domain: [0, 1.02 * d3.max([noise, ...bars.map((row) => row.si_abs), 1e-3].filter(known))], insetRight: 64,
+      x: { domain: [0, 1.02 * d3.max([noise, ...bars.map((row) => row.si_abs + half(row)), 1e-3].filter(known))], insetRight: 64,
            label: "|SI| (-)", labelAnchor: "center", labelArrow: "none", grid: true },
       y: { domain: rows.map((row) => row.parameter), label: null, tickSize: 0, padding: 0.35 },
       marks: [
-        bar(bars.filter(loud), "var(--blue)", "loud"),
-        bar(bars.filter((row) => !loud(row)), "var(--faint)", "quiet"),
+        bar(bars.filter(is_loud), "var(--blue)", "loud"),
+        bar(bars.filter((row) => !is_loud(row)), "var(--faint)", "quiet"),
         known(noise) ? Plot.ruleX([noise], { stroke: "var(--ink)", strokeWidth: 1.5, strokeDasharray: "5 4" }) : null,
-        Plot.text(bars, { x: "si_abs", y: "parameter", text: (row) => decimals(row.si, 3), textAnchor: "start", dx: 5,
+        Plot.ruleY(bars.filter(half), { x1: (row) => Math.max(0, row.si_abs - half(row)), x2: (row) => row.si_abs + half(row),
+                                        y: "parameter", stroke: "var(--ink)", strokeWidth: 1.5, marker: "tick" }),
+        Plot.text(bars, { x: (row) => row.si_abs + half(row), y: "parameter", text: (row) => decimals(row.si, 3), textAnchor: "start", dx: 5,
                           fill: "var(--ink)", stroke: "var(--paper)", strokeWidth: 4 }),
         Plot.text(rows.filter((row) => !known(row.si_abs)), {
           x: 0, y: "parameter", text: () => "× undefined", textAnchor: "start", dx: 5, fill: "var(--warn)" }),
@@ -105,6 +107,7 @@ function sensitivity() {
       continue;
     }
     const noise = rows.map((row) => row.si_noise).find(known);
+    const repeats = repeats_in(window);
     section.append(
       el("div", { class: "pair" },
         figure(`Tornado of the average cone resistance in window ${window.name}`,
@@ -113,19 +116,21 @@ function sensitivity() {
             "noise of the baseline."), tornado(window)),
         figure(`Sensitivity indices in window ${window.name}`,
           el("span", {}, "Size of SI = (", rich(q_c), " at the upper − at the lower bound) / ", rich(q_c),
-            " at the upper bound, with its sign as a number;", el("span", { class: "key line" }),
+            " at the upper bound, with its sign as a number", repeats ? `, and its 95 % interval from ${repeats.runs} runs ` +
+              "of the baseline with shifted material points" : "", ";", el("span", { class: "key line" }),
             "noise of the baseline, ", rich([["SI", false], ["noise", true]]), ` = ${decimals(noise, 4)};`, key("faint"),
             "within it."), indices(window))),
       el("details", {}, el("summary", {}, `Numbers of ${window.name}`),
         table([{ name: "input" }, { name: "meaning", long: true }, { name: "lower", numeric: true }, { name: "baseline", numeric: true },
                { name: "upper", numeric: true }, { name: "unit" }, { name: "q_c at lower (kPa)", numeric: true },
-               { name: "q_c at upper (kPa)", numeric: true }, { name: "SI (-)", numeric: true }, { name: "note", long: true }],
+               { name: "q_c at upper (kPa)", numeric: true }, { name: "SI (-)", numeric: true },
+               ...(repeats ? [{ name: "± (-)", numeric: true }] : []), { name: "note", long: true }],
           d3.sort(rows, (row) => (known(row.si_abs) ? -row.si_abs : 1)).map((row) => {
             const p = parameter_of.get(row.parameter);
             return {
-              class: row.note.startsWith("undefined") ? "failed" : row.above_noise === 0 ? "quiet" : null,
+              class: row.note.startsWith("undefined") ? "failed" : within_noise(row) ? "quiet" : null,
               cells: [rich(p.label), p.meaning, p.lower, p.baseline, p.upper, p.unit, number(row.q_lower_kPa, 5),
-                      number(row.q_upper_kPa, 5), decimals(row.si, 4), row.note],
+                      number(row.q_upper_kPa, 5), decimals(row.si, 4), ...(repeats ? [decimals(row.si_half_width, 4)] : []), row.note],
             };
           }), `Numbers of ${window.name}`)));
   }

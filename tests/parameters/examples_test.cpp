@@ -28,10 +28,10 @@ void expect_study(const std::string& name, Profile profile, Preset preset, std::
 }
 
 TEST(Examples, HaveTheirRealizations) {
-  expect_study("sens.toml", Profile::homogeneous_sand, Preset::quick, 21);
-  expect_study("paper/homogeneous_sand.toml", Profile::homogeneous_sand, Preset::paper, 21);
-  expect_study("paper/homogeneous_clay.toml", Profile::homogeneous_clay, Preset::paper, 12);
-  expect_study("paper/layered.toml", Profile::layered_sand_clay, Preset::paper, 28);
+  expect_study("sens.toml", Profile::homogeneous_sand, Preset::quick, 27);
+  expect_study("paper/homogeneous_sand.toml", Profile::homogeneous_sand, Preset::paper, 25);
+  expect_study("paper/homogeneous_clay.toml", Profile::homogeneous_clay, Preset::paper, 16);
+  expect_study("paper/layered.toml", Profile::layered_sand_clay, Preset::paper, 32);
   expect_study("paper/sand_flexible.toml", Profile::homogeneous_sand, Preset::paper, 4);
   expect_study("paper/dense_rigid.toml", Profile::homogeneous_sand, Preset::paper, 3);
   expect_study("paper/dense_flexible.toml", Profile::homogeneous_sand, Preset::paper, 2);

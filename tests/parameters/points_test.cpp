@@ -1,4 +1,4 @@
-// Points of a study: realizations that change several inputs at once.
+// Points of a study: realizations that change several inputs at once, and repeats of the baseline.
 #include <cmath>
 
 #include "parameters/designs/one_at_a_time.hpp"
@@ -46,6 +46,41 @@ TEST(Points, ErrorsTellWhatIsWrong) {
     EXPECT_EQ(errors.front().key, bad.key) << format(errors);
     EXPECT_NE(format(errors).find(bad.message), std::string::npos) << format(errors);
   }
+}
+
+TEST(Repeats, ShiftTheMaterialPointsEvenlyToEitherSide) {
+  const Study study = study_of("repeats = 4\n" + sand_study("[[points]]\nname = \"a\"\nsand.H = 50\n"));
+  const auto realizations = one_at_a_time(study);
+  ASSERT_EQ(realizations.size(), 6U);
+  EXPECT_EQ(realizations[1].side, Side::point);
+  const std::vector<double> shifts = {-0.4, -0.2, 0.2, 0.4};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Realization& repeat = realizations[k + 2];
+    EXPECT_EQ(repeat.side, Side::repeat);
+    EXPECT_EQ(parameter_name(study, repeat), "repeat " + std::to_string(k + 1));
+    solver::Setup setup = study.baseline;
+    EXPECT_DOUBLE_EQ(make_setup(study, repeat).numerics.point_shift, shifts[k]);
+    setup.numerics.point_shift = make_setup(study, repeat).numerics.point_shift;
+    EXPECT_EQ(settings_text(study, repeat), solver::canonical_text(setup));
+  }
+}
+
+TEST(Repeats, GoAroundFromAShiftedBaseline) {
+  const Study study = study_of("repeats = 2\n" + sand_study("[fixed]\n\"numerics.point_shift\" = 0.3\n"));
+  EXPECT_DOUBLE_EQ(make_setup(study, one_at_a_time(study)[1]).numerics.point_shift, -0.1);
+  EXPECT_DOUBLE_EQ(make_setup(study, one_at_a_time(study)[2]).numerics.point_shift, -0.3);
+}
+
+TEST(Repeats, ErrorsTellWhatIsWrong) {
+  for (const char* bad : {"repeats = 3\n", "repeats = 0\n", "repeats = 22\n", "repeats = \"four\"\n"}) {
+    const auto errors = errors_of(bad + sand_study(""));
+    ASSERT_FALSE(errors.empty()) << bad;
+    EXPECT_EQ(errors.front().key, "repeats") << format(errors);
+  }
+  const auto errors =
+      errors_of("repeats = 2\n" + sand_study("[[points]]\nname = \"repeat 1\"\nsand.H = 50\n"));
+  ASSERT_FALSE(errors.empty());
+  EXPECT_NE(format(errors).find("names a point"), std::string::npos) << format(errors);
 }
 
 }  // namespace

@@ -270,5 +270,42 @@ TEST_F(Resume, OtherSchemaVersionIsRefused) {
             std::string::npos);
 }
 
+// A ledger of schema version 1: neither repeats nor checksums, and no side but the bounds'.
+TEST_F(Resume, AnOlderLedgerIsReadAndGoesOn) {
+  {
+    Ledger ledger = open(study);
+    for (int id = 1; id <= 3; ++id) ledger.record(id, completed(1e6 * id));
+  }
+  Database(study.database, Database::Mode::read_write)
+      .execute(
+          "DROP VIEW tornado; DROP VIEW sensitivity; DROP TABLE repeat_noise; DROP TABLE checksum;"
+          "CREATE VIEW sensitivity AS SELECT w.name AS window, p.name AS parameter, NULL AS q_lower_kPa, "
+          "NULL AS q_upper_kPa, NULL AS q_baseline_kPa, NULL AS si, NULL AS si_abs, NULL AS si_noise, "
+          "NULL AS above_noise, '' AS note FROM depth_window AS w, parameter AS p;"
+          "CREATE VIEW tornado AS SELECT * FROM sensitivity;"
+          "PRAGMA writable_schema = ON;"
+          "UPDATE sqlite_schema SET sql = replace(sql, ', ''point'', ''repeat''', '') WHERE name = 'realization';"
+          "PRAGMA writable_schema = OFF; PRAGMA user_version = 1");
+  const Snapshot old = read_snapshot(study.database);
+  EXPECT_EQ(old.window_means.size(), 6U);
+  EXPECT_TRUE(old.repeat_noise.empty());
+
+  study.points.push_back({"repeat 1", {{solver::find_quantity("numerics.point_shift"), 0.4}}, true});
+  study.points.push_back({"repeat 2", {{solver::find_quantity("numerics.point_shift"), -0.4}}, true});
+  Ledger ledger = open(study);
+  EXPECT_EQ(ledger.opened().kept, 3);
+  EXPECT_EQ(ledger.opened().pending, 7);
+  ledger.record(9, completed(1.1e6));
+  ledger.record(10, completed(0.9e6));
+  const Snapshot upgraded = read_snapshot(study.database);
+  EXPECT_EQ(upgraded.repeat_noise.size(), 2U);
+  for (int id = 1; id <= 3; ++id)
+    EXPECT_FALSE(
+        first_difference(read_run(study.database, id)->profile.value(), completed(1e6 * id).profile).has_value());
+  const Database database(study.database, Database::Mode::read_only);
+  EXPECT_EQ(database.integer("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
+  EXPECT_FALSE(database.prepare("PRAGMA foreign_key_check").step());
+}
+
 }  // namespace
 }  // namespace cpt::results

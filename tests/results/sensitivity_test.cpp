@@ -1,9 +1,12 @@
 // Equation 3 of Yost et al. (2023), by hand, and the ledger's view against it.
 #include "results/sensitivity.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "results/query.hpp"
+#include "results/repeat_noise.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
 namespace cpt::results {
@@ -151,7 +154,41 @@ TEST_F(SensitivityView, HasTheDocumentedColumnsInOrder) {
   run({});
   EXPECT_EQ(query(study.database, "sensitivity").columns,
             (std::vector<std::string>{"window", "parameter", "q_lower_kPa", "q_upper_kPa", "q_baseline_kPa",
-                                      "si", "si_abs", "si_noise", "above_noise", "note"}));
+                                      "si", "si_abs", "si_noise", "above_noise", "si_half_width",
+                                      "above_repeats", "note"}));
+}
+
+// Four repeats follow the eight bounds; with the baseline they are five runs.
+TEST_F(SensitivityView, RepeatsGiveTheIndexAnInterval) {
+  for (int k = 1; k <= 4; ++k)
+    study.points.push_back(
+        {fmt::format("repeat {}", k), {{solver::find_quantity("numerics.point_shift"), 0.1 * k}}, true});
+  auto levels = all_levels;
+  levels.insert({{9, 3.9e6}, {10, 4.1e6}});
+  const SensitivityRow some = find(run(levels), "deep", "sand.H");
+  const std::vector<double> three = {4.0, 3.9, 4.1}, five = {4.0, 3.9, 4.1, 3.95, 4.06};
+  EXPECT_NEAR(some.si_half_width, index_half_width(repeat_noise(three).value()), 1e-12);
+
+  Ledger ledger = open(study);
+  ledger.record(11, completed(3.95e6));
+  ledger.record(12, completed(4.06e6));
+  const Snapshot s = read_snapshot(study.database);
+  const RepeatNoise noise = repeat_noise(five).value();
+  ASSERT_EQ(s.repeat_noise.size(), 2U);
+  EXPECT_EQ(s.repeat_noise[0].window, "deep");
+  EXPECT_EQ(s.repeat_noise[0].runs, 5);
+  EXPECT_NEAR(s.repeat_noise[0].q_c_deviation_kPa / s.repeat_noise[0].q_c_mean_kPa,
+              noise.deviation / noise.mean, 1e-12);
+  EXPECT_EQ(find(s, "deep", "sand.H").above_repeats, std::optional(true));
+  EXPECT_EQ(find(s, "deep", "sand.N").above_repeats, std::optional(false));
+  EXPECT_NEAR(find(s, "deep", "sand.N").si_half_width, index_half_width(noise), 1e-12);
+}
+
+TEST_F(SensitivityView, HasNoIntervalWithoutRepeats) {
+  const Snapshot s = run(all_levels);
+  EXPECT_TRUE(s.repeat_noise.empty());
+  EXPECT_TRUE(std::isnan(s.sensitivity[0].si_half_width));
+  EXPECT_FALSE(s.sensitivity[0].above_repeats.has_value());
 }
 
 }  // namespace
