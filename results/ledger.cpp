@@ -164,6 +164,7 @@ Ledger Ledger::open_for_run(const parameters::Study& study,
   database.execute("PRAGMA defer_foreign_keys = ON");
   if (created) create_schema(database);
   create_checksums(database);
+  mend_views(database);
   const std::vector<std::string> changes = study_changes(database, study);
   Opened opened = match_realizations(database, study, realizations, options.retry_failed);
   refuse_other_study(database, study, opened);

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <string_view>
+#include <utility>
+
 namespace cpt::results {
 namespace {
 
@@ -193,6 +197,20 @@ void create_schema(const Database& database) {
 }
 
 void create_checksums(const Database& database) { database.execute(checksum_table); }
+
+void mend_views(const Database& database) {
+  for (const auto& [name, definition] :
+       {std::pair{"tornado", tornado_view}, {"sensitivity", sensitivity_view}}) {
+    Statement stored = database.prepare("SELECT sql FROM sqlite_schema WHERE type = 'view' AND name = ?");
+    stored.bind(name);
+    // SQLite keeps the text from CREATE to the semicolon.
+    const std::string_view text(definition);
+    const auto start = text.find("CREATE");
+    if (stored.step() && stored.text(0) == text.substr(start, text.rfind(';') - start)) continue;
+    database.execute(fmt::format("DROP VIEW IF EXISTS {}", name));
+    database.execute(definition);
+  }
+}
 
 bool is_empty(const Database& database) {
   return database.integer("SELECT count(*) FROM sqlite_schema") == 0;

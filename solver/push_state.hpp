@@ -24,7 +24,7 @@ struct StateMismatch : std::runtime_error {
 
 template <class T>
 concept MadeOfDoubles = std::is_trivially_copyable_v<T> && !std::integral<T> &&
-                        alignof(T) == alignof(double) && sizeof(T) % sizeof(double) == 0;
+                        alignof(T) % alignof(double) == 0 && sizeof(T) % sizeof(double) == 0;
 
 class StateWriter {
  public:

@@ -168,6 +168,28 @@ TEST_F(Resume, WhatIsDamagedRunsAgain) {
   EXPECT_NE(ledger.opened().messages[1].find("4 realizations damaged"), std::string::npos);
 }
 
+TEST_F(Resume, ChangedViewsAreMadeAnew) {
+  {
+    Ledger ledger = open(study);
+    for (const int id : ledger.pending()) ledger.record(id, completed(1e6 * id));
+  }
+  const std::string before = dump_without_times(study.database);
+  {
+    const Database database(study.database, Database::Mode::read_write);
+    const auto version = [&] { return database.integer("PRAGMA schema_version"); };
+    const auto untouched = version();
+    { open(study); }
+    EXPECT_EQ(version(), untouched) << "views that are as they should be are left alone";
+    database.execute(
+        "PRAGMA writable_schema = ON;"
+        "UPDATE sqlite_schema SET sql = replace(sql, 'u.q_c_mean_kPa > 0', 'u.q_c_mean_kPa < 0') "
+        "WHERE name = 'sensitivity'; PRAGMA writable_schema = RESET");
+  }
+  EXPECT_NE(dump_without_times(study.database), before);
+  { open(study); }
+  EXPECT_EQ(dump_without_times(study.database), before);
+}
+
 TEST_F(Resume, RunsOfProgramsWithoutChecksumsAreKept) {
   { open(study).record(1, completed(1e6)); }
   Database(study.database, Database::Mode::read_write).execute("DROP TABLE checksum");
