@@ -29,10 +29,10 @@ happened to: curves byte for byte.
 
 constexpr const char* bottom = R"(
 Exit codes are those of `README.md`; under mpirun a killed rank shows as 137 (128 + 9), and a stop may show as mpirun's
-own 1. *Destroyed* counts finished realizations whose bytes the fault itself took, of 12 in each trial; they are run again
-and nothing else is. Where a bit flips in the database, SQLite's own check or the checksum of the realization's results tells, and only
-what was hit is run again; where the file's structure is hit, the campaign refuses it with exit code 6 and says how to
-save the rest.
+own 1. *Destroyed* counts finished realizations whose bytes the fault itself took, of 12 in each trial; they are run again,
+and nothing else is. Each realization is stored with a checksum, which finds a changed bit. Where the file's structure is
+hit, the campaign keeps it as `NAME.sqlite.damaged`, saves into a new database what is whole, and runs the rest. Only a
+file whose header says that it is no database is refused, with exit code 6.
 )";
 
 // One cell of a table: no bars, no paths of this machine.

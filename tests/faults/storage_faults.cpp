@@ -115,10 +115,10 @@ Finding read_only(int trials, unsigned) {
   return finding;
 }
 
-// Runs the study on a damaged database. Either all is well in the end, or the damage is told and what can be
-// recovered is; only what was damaged runs again.
+// Runs the study on a damaged database. All is well in the end, or the file is refused because it is no
+// database any more; only what was damaged runs again.
 void run_on_damaged(Trial& trial, Finding& finding, const std::string& damage) {
-  Result result = run(campaign(trial.arguments()), trial.variables());
+  const Result result = run(campaign(trial.arguments()), trial.variables());
   ++finding.trials;
   finding.exit_codes.insert(result.exit_code);
   expect(finding, result.exit_code == 0 || result.exit_code == 6,
@@ -126,12 +126,7 @@ void run_on_damaged(Trial& trial, Finding& finding, const std::string& damage) {
   if (const std::string line = line_with(result.err, "damaged"); !line.empty()) finding.told = line;
   if (result.exit_code == 6) {
     expect(finding, !result.err.empty(), damage + ": nothing was told");
-    // As the message says; where nothing can be recovered the campaign runs anew.
-    const std::string file = trial.database(), saved = trial.folder().file("saved.sqlite");
-    const Result recovered = run(shell(fmt::format("sqlite3 {} .recover | sqlite3 {}", file, saved)));
-    for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(file + end);
-    if (recovered.exit_code == 0 && std::filesystem::exists(saved)) std::filesystem::rename(saved, file);
-    if (run(campaign(trial.arguments()), trial.variables()).exit_code != 0) std::filesystem::remove(file);
+    std::filesystem::remove(trial.database());  // moved away, as the message says
   }
   trial.finish(finding);
   const std::string log = trial.folder().read("log");

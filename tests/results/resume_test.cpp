@@ -168,6 +168,27 @@ TEST_F(Resume, WhatIsDamagedRunsAgain) {
   EXPECT_NE(ledger.opened().messages[1].find("4 realizations damaged"), std::string::npos);
 }
 
+TEST_F(Resume, DamagedDatabaseIsKeptAsideAndWhatIsWholeIsSaved) {
+  {
+    Ledger ledger = open(study);
+    for (const int id : ledger.pending()) ledger.record(id, completed(1e6 * id));
+  }
+  const std::string undisturbed = dump_without_times(study.database);
+  std::filesystem::resize_file(study.database, std::filesystem::file_size(study.database) / 2);
+  {
+    Ledger ledger = open(study);
+    const int kept = ledger.opened().kept;
+    EXPECT_GT(kept, 0);
+    EXPECT_LT(kept, 8);
+    EXPECT_EQ(ledger.opened().pending, 8 - kept);
+    EXPECT_EQ(ledger.pending().size(), static_cast<std::size_t>(8 - kept));
+    EXPECT_NE(ledger.opened().messages.back().find("sand.sqlite.damaged"), std::string::npos);
+    for (const int id : ledger.pending()) ledger.record(id, completed(1e6 * id));
+  }
+  EXPECT_EQ(dump_without_times(study.database), undisturbed);
+  EXPECT_TRUE(std::filesystem::exists(study.database.string() + ".damaged"));
+}
+
 TEST_F(Resume, ChangedViewsAreMadeAnew) {
   {
     Ledger ledger = open(study);
