@@ -22,7 +22,7 @@ constexpr int busy_timeout_ms = 10'000;
     case SQLITE_NOTADB:
       throw Error(fmt::format("{}: not an SQLite database ({})", file, detail));
     case SQLITE_CORRUPT:
-      throw Error(damaged_database(file, detail));
+      fail_damaged(file, detail);
     case SQLITE_CANTOPEN:
       throw Error(fmt::format("{}: cannot be opened ({})", file, detail));
     case SQLITE_FULL:
@@ -42,11 +42,10 @@ constexpr int busy_timeout_ms = 10'000;
 
 }  // namespace
 
-std::string damaged_database(const std::filesystem::path& file, std::string_view detail) {
-  return fmt::format(
-      "{0}: the database is damaged ({1}); save what is left of it with: sqlite3 {0} .recover | sqlite3 NEW, "
-      "put NEW in its place, and run again",
-      file.string(), detail);
+void fail_damaged(const std::filesystem::path& file, std::string_view detail) {
+  throw Damaged(
+      fmt::format("{}: the database is damaged ({}); run the campaign again: it saves what is whole",
+                  file.string(), detail));
 }
 
 Statement::Statement(sqlite3* connection, std::string_view sql, const std::string& file)
@@ -165,16 +164,18 @@ std::variant<std::monostate, std::int64_t, double, std::string> Statement::cell(
 Database::Database(const std::filesystem::path& file, Mode mode) : file_(file) {
   // Opening is lazy in SQLite, and a missing file or a folder would give a message of little help.
   std::error_code ignored;
-  if (mode == Mode::read_only && !std::filesystem::exists(file, ignored))
+  if (mode != Mode::read_write && !std::filesystem::exists(file, ignored))
     throw Error(fmt::format("{}: no such database; run the campaign first", file.string()));
   if (std::filesystem::is_directory(file, ignored))
     throw Error(fmt::format("{}: is a folder, not a database", file.string()));
   const int flags =
-      mode == Mode::read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+      mode == Mode::read_write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY;
   const int code = sqlite3_open_v2(file.c_str(), &connection_, flags | SQLITE_OPEN_EXRESCODE, nullptr);
   try {
     if (code != SQLITE_OK) fail(file.string(), connection_, code);
     sqlite3_busy_timeout(connection_, busy_timeout_ms);
+    // SQLite then also reads a file that is shorter than it should be, or has a broken definition.
+    if (mode == Mode::salvage) execute("PRAGMA writable_schema = ON");
     execute("PRAGMA foreign_keys = ON; PRAGMA trusted_schema = OFF");
     (void)integer("SELECT count(*) FROM sqlite_schema");  // says now if this is no database
   } catch (...) {

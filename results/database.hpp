@@ -17,8 +17,8 @@ struct sqlite3_stmt;
 
 namespace cpt::results {
 
-/// What to say of a damaged database, and how to save what is left of it.
-[[nodiscard]] std::string damaged_database(const std::filesystem::path& file, std::string_view detail);
+/// Throws Damaged, with what to do about it.
+[[noreturn]] void fail_damaged(const std::filesystem::path& file, std::string_view detail);
 
 /// A statement with its parameters bound in order; steps through its rows. Numbers that are not finite are
 /// stored as NULL, and NULL reads back as NaN, 0 or "".
@@ -69,8 +69,9 @@ class Statement {
 /// One connection. Throws Error, with the file's name and SQLite's message, on anything SQLite refuses.
 class Database {
  public:
-  enum class Mode { read_only, read_write };
-  /// read_only: the file must exist. read_write: it is created if missing.
+  enum class Mode { read_only, read_write, salvage };
+  /// read_only: the file must exist. read_write: it is created if missing. salvage: as read_only, and what
+  /// can be read of a damaged file is read.
   Database(const std::filesystem::path& file, Mode mode);
   Database(Database&&) noexcept;
   Database& operator=(Database&&) noexcept;

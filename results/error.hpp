@@ -11,6 +11,11 @@ struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A database whose structure is damaged.
+struct Damaged : Error {
+  using Error::Error;
+};
+
 /// Another running campaign holds the database.
 struct Locked : Error {
   using Error::Error;

@@ -11,6 +11,7 @@
 #include "results/file_lock.hpp"
 #include "results/ledger_rows.hpp"
 #include "results/provenance.hpp"
+#include "results/salvage.hpp"
 #include "results/schema.hpp"
 #include "results/snapshot.hpp"
 #include "results/study_changes.hpp"
@@ -61,7 +62,8 @@ Opened match_realizations(const Database& database, const parameters::Study& stu
       database.prepare("SELECT id, settings_hash, status, solver_version FROM realization ORDER BY id");
   while (all.step()) {
     const int id = static_cast<int>(all.integer(0));
-    old.push_back({id, all.text(1), all.text(2), all.text(3), is_damaged(database, id)});
+    old.push_back(
+        {id, all.text(1), all.text(2), all.text(3), matches_checksum(database, id) == std::optional(false)});
   }
   const std::string old_solver_version = old.empty() ? "" : old.front().solver_version;
 
@@ -99,9 +101,8 @@ Opened match_realizations(const Database& database, const parameters::Study& stu
 
 /// SQLite reads over much of what a failing disk does to a file; it is asked to look.
 void refuse_damaged(const Database& database) {
-  Statement check = database.prepare("PRAGMA quick_check(1)");
-  if (check.step() && check.text(0) == "ok") return;
-  throw Error(damaged_database(database.file(), check.text(0)));
+  Statement check = database.prepare("PRAGMA integrity_check(1)");
+  if (!check.step() || check.text(0) != "ok") fail_damaged(database.file(), check.text(0));
 }
 
 void tell_changes(const std::vector<std::string>& changes, Opened& opened) {
@@ -151,6 +152,26 @@ Ledger Ledger::open_for_run(const parameters::Study& study,
   if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path()))
     throw Error(fmt::format("{}: the folder {} does not exist", file.string(), file.parent_path().string()));
   auto lock = std::make_unique<FileLock>(file.string() + ".lock");
+  try {
+    return open(study, realizations, options, lock);
+  } catch (const Damaged&) {
+    const std::filesystem::path aside = set_aside(file);
+    Ledger ledger = open(study, realizations, options, lock);
+    const int largest_id = 2 * static_cast<int>(realizations.size()) + 1000;
+    const int saved = ledger.take(salvage_runs(aside, largest_id));
+    Opened& opened = ledger.state_->opened;
+    opened.kept = saved;
+    opened.pending -= saved;
+    opened.messages.push_back(
+        fmt::format("the database was damaged and is kept as {}; {} of its realizations are saved",
+                    aside.string(), saved));
+    return ledger;
+  }
+}
+
+Ledger Ledger::open(const parameters::Study& study, std::span<const parameters::Realization> realizations,
+                    const RunOptions& options, std::unique_ptr<FileLock>& lock) {
+  const std::filesystem::path& file = study.database;
   Database database(file, Database::Mode::read_write);
   const bool created = is_empty(database);
   if (!created) check_schema(database);
@@ -164,6 +185,7 @@ Ledger Ledger::open_for_run(const parameters::Study& study,
     create_schema(database);
   else
     upgrade_schema(database);
+  mend_views(database);
   const std::vector<std::string> changes = study_changes(database, study);
   Opened opened = match_realizations(database, study, realizations, options.retry_failed);
   refuse_other_study(database, study, opened);
@@ -207,25 +229,32 @@ std::vector<int> Ledger::pending() const {
 int Ledger::adopt(const std::filesystem::path& other) {
   if (!std::filesystem::exists(other)) return 0;
   const Snapshot from = read_snapshot(other);
+  std::vector<StoredRun> runs;
+  for (const CurveRow& curve : from.curves) {
+    const auto row = std::find_if(from.realizations.begin(), from.realizations.end(),
+                                  [&](const RealizationRow& r) { return r.id == curve.realization; });
+    if (row != from.realizations.end() && row->completed()) runs.push_back({*row, curve.profile});
+  }
+  return take(runs);
+}
+
+int Ledger::take(const std::vector<StoredRun>& completed) {
   std::map<std::string, int> pending;
   {
     Statement rows =
         state_->database.prepare("SELECT id, settings_hash FROM realization WHERE status = 'pending'");
     while (rows.step()) pending[rows.text(1)] = static_cast<int>(rows.integer(0));
   }
-  int adopted = 0;
-  for (const RealizationRow& row : from.realizations) {
+  int taken = 0;
+  for (const auto& [row, profile] : completed) {
     const auto same = pending.find(row.settings_hash);
-    if (!row.completed() || same == pending.end()) continue;
-    const auto curve = std::find_if(from.curves.begin(), from.curves.end(),
-                                    [&](const CurveRow& c) { return c.realization == row.id; });
-    if (curve == from.curves.end()) continue;
-    record(same->second, {solver::Status::completed, "", curve->profile, row.audit, row.steps,
+    if (same == pending.end()) continue;
+    record(same->second, {solver::Status::completed, "", profile.value(), row.audit, row.steps,
                           row.material_points, row.wall_s});
     pending.erase(same);
-    ++adopted;
+    ++taken;
   }
-  return adopted;
+  return taken;
 }
 
 void Ledger::mark_running(int id) {

@@ -51,14 +51,18 @@ struct Counts {
   [[nodiscard]] int total() const { return pending + running + completed + failed; }
 };
 
+class FileLock;
+struct StoredRun;
+
 /// The writer. Not thread-safe. Holds the lock file NAME.sqlite.lock while it lives; the operating system
 /// releases the lock if the process is killed.
 class Ledger {
  public:
   /// Opens or creates `study.database` for a run of these realizations, which become its rows. Finished runs
   /// are matched by settings hash, so adding, removing or reordering rows of a study keeps what is still
-  /// valid. Throws Locked if another campaign holds it; Error if it is not a ledger, is damaged, has another
-  /// schema version, or holds finished runs of a differently named study only.
+  /// valid. A damaged database is kept as NAME.damaged, and what is whole in it is taken over. Throws Locked
+  /// if another campaign holds it; Error if it is not a ledger, has another schema version, or holds finished
+  /// runs of a differently named study only.
   [[nodiscard]] static Ledger open_for_run(const parameters::Study& study,
                                            std::span<const parameters::Realization> realizations,
                                            const RunOptions& options);
@@ -86,6 +90,11 @@ class Ledger {
 
  private:
   struct State;
+  [[nodiscard]] static Ledger open(const parameters::Study& study,
+                                   std::span<const parameters::Realization> realizations,
+                                   const RunOptions& options, std::unique_ptr<FileLock>& lock);
+  /// Records these as what is pending with equal settings; returns how many.
+  int take(const std::vector<StoredRun>& completed);
   explicit Ledger(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -82,14 +82,17 @@ std::string_view kind_name(parameters::Window::Kind kind) {
   return "fixed";
 }
 
-bool is_damaged(const Database& database, int id) {
+std::optional<bool> matches_checksum(const Database& database, int id) {
   Statement stored = database.prepare("SELECT sha256 FROM checksum WHERE realization = ?");
   stored.bind(id);
-  if (!stored.step()) return false;  // stored before there were checksums
+  if (!stored.step()) return std::nullopt;
+  Statement bins = database.prepare("SELECT bins FROM curve WHERE realization = ?");
+  bins.bind(id);
   try {
-    return stored.text(0) != outcome_checksum(database, id);
+    const auto length = static_cast<std::int64_t>(read_profile(database, id).depth.size());
+    return stored.text(0) == outcome_checksum(database, id) && (bins.step() ? bins.integer(0) : 0) == length;
   } catch (const Error&) {
-    return true;  // a curve of broken length
+    return false;  // a curve of broken length
   }
 }
 

@@ -1,7 +1,8 @@
-// The ledger's single writes, each within a transaction of the caller. Used by ledger.cpp and
-// study_changes.cpp.
+// The ledger's single writes, each within a transaction of the caller. Used in this folder
+// alone.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,8 +16,9 @@ namespace cpt::results {
 /// "fixed", "peak" or "trough", as stored.
 [[nodiscard]] std::string_view kind_name(parameters::Window::Kind kind);
 
-/// True if what is stored of an ended realization is not what was recorded: a bit has changed since.
-[[nodiscard]] bool is_damaged(const Database& database, int id);
+/// Whether what is stored of an ended realization is what was recorded; nullopt where it was stored without a
+/// checksum, by an earlier program.
+[[nodiscard]] std::optional<bool> matches_checksum(const Database& database, int id);
 
 /// What identifies a realization in the ledger.
 struct RealizationInput {

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace cpt::results {
@@ -215,7 +217,9 @@ void create_schema(const Database& database) {
 // No version has changed a table's columns, only what they may hold, so rows are taken over as they are.
 void upgrade_schema(const Database& database) {
   if (database.integer("PRAGMA user_version") == schema_version) return;
-  database.execute("DROP VIEW tornado; DROP VIEW sensitivity; DROP INDEX realization_of_bound");
+  database.execute(
+      "DROP VIEW IF EXISTS tornado; DROP VIEW IF EXISTS sensitivity; DROP INDEX IF EXISTS "
+      "realization_of_bound");
   std::vector<std::string> old;
   for (const char* table : table_names) {
     if (!has(database, table)) continue;
@@ -226,6 +230,20 @@ void upgrade_schema(const Database& database) {
   for (auto table = old.rbegin(); table != old.rend(); ++table)
     database.execute(fmt::format("INSERT INTO {0} SELECT * FROM old_{0}", *table));
   for (const std::string& table : old) database.execute(fmt::format("DROP TABLE old_{}", table));
+}
+
+void mend_views(const Database& database) {
+  for (const auto& [name, definition] :
+       {std::pair{"tornado", tornado_view}, {"sensitivity", sensitivity_view}}) {
+    Statement stored = database.prepare("SELECT sql FROM sqlite_schema WHERE type = 'view' AND name = ?");
+    stored.bind(name);
+    // SQLite keeps the text from CREATE to the semicolon.
+    const std::string_view text(definition);
+    const auto start = text.find("CREATE");
+    if (stored.step() && stored.text(0) == text.substr(start, text.rfind(';') - start)) continue;
+    database.execute(fmt::format("DROP VIEW IF EXISTS {}", name));
+    database.execute(definition);
+  }
 }
 
 bool is_empty(const Database& database) {

@@ -16,6 +16,10 @@ void create_schema(const Database& database);
 /// Brings an older ledger to this version, all that it holds kept. Within a transaction of the caller.
 void upgrade_schema(const Database& database);
 
+/// Makes the views anew where their definitions are not this program's: they are not data, but a bit that
+/// flips in one would change what is read.
+void mend_views(const Database& database);
+
 /// True if the database holds nothing at all.
 [[nodiscard]] bool is_empty(const Database& database);
 

@@ -117,6 +117,10 @@ Snapshot read_snapshot(const std::filesystem::path& file) {
 std::optional<StoredRun> read_run(const std::filesystem::path& file, int id) {
   const Database database = open_ledger(file);
   const Transaction transaction(database, Transaction::Kind::read);
+  return read_run(database, id);
+}
+
+std::optional<StoredRun> read_run(const Database& database, int id) {
   Statement row =
       database.prepare(fmt::format("SELECT {} FROM realization WHERE id = ?", realization_columns));
   row.bind(id);

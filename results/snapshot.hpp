@@ -12,6 +12,8 @@
 
 namespace cpt::results {
 
+class Database;
+
 /// Row of `campaign`.
 struct CampaignRow {
   std::string name, title, profile, preset;
@@ -113,5 +115,6 @@ struct StoredRun {
   std::optional<solver::DepthProfile> profile;
 };
 [[nodiscard]] std::optional<StoredRun> read_run(const std::filesystem::path& database, int id);
+[[nodiscard]] std::optional<StoredRun> read_run(const Database& database, int id);
 
 }  // namespace cpt::results

@@ -168,6 +168,49 @@ TEST_F(Resume, WhatIsDamagedRunsAgain) {
   EXPECT_NE(ledger.opened().messages[1].find("4 realizations damaged"), std::string::npos);
 }
 
+TEST_F(Resume, DamagedDatabaseIsKeptAsideAndWhatIsWholeIsSaved) {
+  {
+    Ledger ledger = open(study);
+    for (const int id : ledger.pending()) ledger.record(id, completed(1e6 * id));
+  }
+  const std::string undisturbed = dump_without_times(study.database);
+  std::filesystem::resize_file(study.database, std::filesystem::file_size(study.database) / 2);
+  {
+    Ledger ledger = open(study);
+    const int kept = ledger.opened().kept;
+    EXPECT_GT(kept, 0);
+    EXPECT_LT(kept, 8);
+    EXPECT_EQ(ledger.opened().pending, 8 - kept);
+    EXPECT_EQ(ledger.pending().size(), static_cast<std::size_t>(8 - kept));
+    EXPECT_NE(ledger.opened().messages.back().find("sand.sqlite.damaged"), std::string::npos);
+    for (const int id : ledger.pending()) ledger.record(id, completed(1e6 * id));
+  }
+  EXPECT_EQ(dump_without_times(study.database), undisturbed);
+  EXPECT_TRUE(std::filesystem::exists(study.database.string() + ".damaged"));
+}
+
+TEST_F(Resume, ChangedViewsAreMadeAnew) {
+  {
+    Ledger ledger = open(study);
+    for (const int id : ledger.pending()) ledger.record(id, completed(1e6 * id));
+  }
+  const std::string before = dump_without_times(study.database);
+  {
+    const Database database(study.database, Database::Mode::read_write);
+    const auto version = [&] { return database.integer("PRAGMA schema_version"); };
+    const auto untouched = version();
+    { open(study); }
+    EXPECT_EQ(version(), untouched) << "views that are as they should be are left alone";
+    database.execute(
+        "PRAGMA writable_schema = ON;"
+        "UPDATE sqlite_schema SET sql = replace(sql, 'u.q_c_mean_kPa > 0', 'u.q_c_mean_kPa < 0') "
+        "WHERE name = 'sensitivity'; PRAGMA writable_schema = RESET");
+  }
+  EXPECT_NE(dump_without_times(study.database), before);
+  { open(study); }
+  EXPECT_EQ(dump_without_times(study.database), before);
+}
+
 TEST_F(Resume, RunsOfProgramsWithoutChecksumsAreKept) {
   { open(study).record(1, completed(1e6)); }
   Database(study.database, Database::Mode::read_write).execute("DROP TABLE checksum");
@@ -284,7 +327,8 @@ TEST_F(Resume, AnOlderLedgerIsReadAndGoesOn) {
           "NULL AS above_noise, '' AS note FROM depth_window AS w, parameter AS p;"
           "CREATE VIEW tornado AS SELECT * FROM sensitivity;"
           "PRAGMA writable_schema = ON;"
-          "UPDATE sqlite_schema SET sql = replace(sql, ', ''point'', ''repeat''', '') WHERE name = 'realization';"
+          "UPDATE sqlite_schema SET sql = replace(sql, ', ''point'', ''repeat''', '') WHERE name = "
+          "'realization';"
           "PRAGMA writable_schema = OFF; PRAGMA user_version = 1");
   const Snapshot old = read_snapshot(study.database);
   EXPECT_EQ(old.window_means.size(), 6U);
@@ -300,8 +344,8 @@ TEST_F(Resume, AnOlderLedgerIsReadAndGoesOn) {
   const Snapshot upgraded = read_snapshot(study.database);
   EXPECT_EQ(upgraded.repeat_noise.size(), 2U);
   for (int id = 1; id <= 3; ++id)
-    EXPECT_FALSE(
-        first_difference(read_run(study.database, id)->profile.value(), completed(1e6 * id).profile).has_value());
+    EXPECT_FALSE(first_difference(read_run(study.database, id)->profile.value(), completed(1e6 * id).profile)
+                     .has_value());
   const Database database(study.database, Database::Mode::read_only);
   EXPECT_EQ(database.integer("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
   EXPECT_FALSE(database.prepare("PRAGMA foreign_key_check").step());

@@ -1,0 +1,169 @@
+// Clocks that jump, studies that are edited, realizations that hang or have no memory, stops by a batch
+// system.
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <random>
+#include <thread>
+
+#include "tests/faults/trial.hpp"
+
+namespace cpt::tests {
+namespace {
+
+constexpr const char* faketime = "/usr/lib/" LIBRARY_ARCHITECTURE "/faketime/libfaketime.so.1";
+
+Finding jumping_clock(int trials, unsigned seed) {
+  Finding finding{.fault = "the clock jumps by up to ten years while the campaign runs"};
+  if (!std::filesystem::exists(faketime)) {
+    finding.problems.emplace_back("libfaketime is not installed: not tried");
+    return finding;
+  }
+  std::mt19937 random(seed);
+  while (finding.trials < trials) {
+    Trial trial(Solver::stand_in);
+    trial.folder().write("clock", "+0d");
+    std::vector<std::string> variables = trial.variables();
+    variables.insert(variables.end(),
+                     {std::string("LD_PRELOAD=") + faketime, "FAKETIME_DONT_FAKE_MONOTONIC=1",
+                      "FAKETIME_NO_CACHE=1", "FAKETIME_TIMESTAMP_FILE=" + trial.folder().file("clock")});
+    Background job(campaign(trial.arguments({"--slots", "1"})), variables);
+    bool running = true;
+    std::thread jumps([&] {
+      for (; running; std::this_thread::sleep_for(std::chrono::milliseconds(50)))
+        trial.folder().write("clock", fmt::format("{:+}d", static_cast<int>(random() % 7300) - 3650));
+    });
+    const Result result = job.wait();
+    running = false;
+    jumps.join();
+    trial.check(finding, result);
+    expect(finding, result.exit_code == 0, "ended with " + result.err);
+    expect(finding, contents(trial.database()) == undisturbed(Solver::stand_in).contents, "other results");
+  }
+  finding.told = "(nothing: only the times in the database show it)";
+  return finding;
+}
+
+Finding edited_study(int trials, unsigned) {
+  Finding finding{.fault = "the study is edited between two runs"};
+  while (finding.trials < trials) {
+    Trial trial(Solver::stand_in);
+    expect(finding, run(campaign(trial.arguments()), trial.variables()).exit_code == 0, "did not run");
+    const std::string study = trial.folder().read("faults.toml");
+    std::string edited = study;
+    edited.replace(edited.find("upper = 75"), 10, "upper = 70");
+    trial.folder().write("faults.toml", edited);
+    trial.folder().write("log", "");
+    const Result result = run(campaign(trial.arguments()), trial.variables());
+    ++finding.trials;
+    finding.exit_codes.insert(result.exit_code);
+    finding.told = line_with(result.err, "the study has changed");
+    expect(finding, finding.told.find("sand.H, bounds: 25 to 70, was 25 to 75") != std::string::npos,
+           "what changed is not told: " + result.err);
+    const std::string log = trial.folder().read("log");
+    expect(finding, std::count(log.begin(), log.end(), '\n') == 1,
+           "other than the one changed was run: " + log);
+    trial.folder().write("faults.toml", study);
+    trial.finish(finding);
+  }
+  return finding;
+}
+
+Finding hung_realization(int trials, unsigned) {
+  Finding finding{.fault = "a realization hangs, deaf to signals"};
+  while (finding.trials < trials) {
+    Trial trial(Solver::stand_in);
+    std::vector<std::string> variables = trial.variables();
+    variables.emplace_back("CPT_FAKE=sand.H=75:hang");
+    const Result result = run(campaign(trial.arguments({"--hang-limit", "1"})), variables);
+    trial.check(finding, result);
+    expect(finding, result.exit_code == 1, fmt::format("exit code {}", result.exit_code));
+    finding.told = line_with(result.err, "hung");
+    expect(finding, !finding.told.empty(), "the hang is not told");
+    trial.finish(finding, {"--retry-failed"});
+  }
+  return finding;
+}
+
+// The least memory [KiB] with which the program starts at all; a little less and libraries hang as they load.
+int memory_to_start() {
+  int limit = 20'000;
+  const auto starts = [&] {
+    const std::string script =
+        fmt::format("ulimit -v {}; exec timeout 5 {} realize 3<&-", limit, campaign({}).front());
+    return run({"/bin/sh", "-c", script}).exit_code == 2;  // without an order it ends
+  };
+  while (!starts() && limit < 1'000'000) limit += 1000;
+  return limit;
+}
+
+Finding memory_limit(int trials, unsigned) {
+  Finding finding{.fault = "a realization reaches its memory limit"};
+  const int limit = memory_to_start();
+  while (finding.trials < trials) {
+    Trial trial(Solver::real);
+    const std::string limited = trial.folder().file("limited");
+    // Room for the program and its libraries; not for the material points.
+    const int room = limit + 1000 * (2 + finding.trials % 3);
+    trial.folder().write(
+        "limited", fmt::format("#!/bin/sh\nulimit -v {}\nexec {} realize\n", room, campaign({}).front()));
+    ::chmod(limited.c_str(), 0755);
+    const Result result = run(campaign(trial.arguments({"--executor", limited})), trial.variables());
+    trial.check(finding, result);
+    expect(finding, result.exit_code == 1, fmt::format("exit code {}: {}", result.exit_code, result.err));
+    finding.told = line_with(result.err, "memory");
+    expect(finding, !finding.told.empty(), "the limit is not told: " + result.err);
+    trial.finish(finding, {"--retry-failed"});
+  }
+  return finding;
+}
+
+// As a batch system does at the time limit: a signal to mpirun, or to every process there is.
+Finding time_limit(int trials, unsigned seed) {
+  Finding finding{.fault = "a batch system's time limit: SIGUSR1 or SIGTERM to mpirun or to all processes"};
+  std::mt19937 random(seed);
+  for (int attempt = 0; finding.trials < trials && attempt < 10 * trials; ++attempt) {
+    Trial trial(Solver::real);
+    for (int stop = 0; stop < 20 && !trial.complete(); ++stop) {
+      Background job(mpirun(2, trial.arguments({"--slots", "1"})), trial.variables());
+      expect(finding, eventually([&] {
+               if (!alive(job.pid())) return true;
+               for (const pid_t rank : children_of(job.pid()))
+                 if (!children_of(rank).empty()) return true;
+               return false;
+             }),
+             "nothing was started");
+      std::this_thread::sleep_for(std::chrono::duration<double>(
+          std::uniform_real_distribution<double>(0.0, 0.5 * undisturbed(Solver::real).seconds)(random)));
+      const int signal = random() % 2 == 0 ? SIGUSR1 : SIGTERM;
+      std::vector<pid_t> all{job.pid()};
+      if (random() % 2 == 0)
+        for (const pid_t rank : children_of(job.pid())) {
+          all.push_back(rank);
+          for (const pid_t realization : children_of(rank)) all.push_back(realization);
+        }
+      for (const pid_t pid : all) ::kill(pid, signal);
+      const Result result = job.wait();
+      if (result.exit_code == 0) continue;  // it was done before the signal
+      if (finding.trials < trials) trial.check(finding, result);
+      if (const std::string line = line_with(result.err, "keeps its state"); !line.empty())
+        finding.told = line;
+    }
+    trial.finish(finding);
+  }
+  return finding;
+}
+
+}  // namespace
+
+std::vector<Fault> other_faults() {
+  return {{"jumping_clock", 1, 10, jumping_clock},
+          {"edited_study", 1, 3, edited_study},
+          {"hung_realization", 1, 5, hung_realization},
+          {"memory_limit", 1, 5, memory_limit},
+          {"time_limit", 2, 20, time_limit}};
+}
+
+}  // namespace cpt::tests
