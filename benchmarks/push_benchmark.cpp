@@ -47,7 +47,8 @@ double bytes_of_step(const Census& census) {
 // Floating-point operations of the three stages of a step per material point, counted by scripts/count-flops
 // on the AVX2 kernels: all lanes of what is executed, unused ones too. By profile and preset, in the order of
 // all_profiles() and all_presets().
-constexpr double flops_per_point_step[3][3] = {{0, 0, 0}, {495, 0, 0}, {0, 0, 0}};  // 0: not counted yet
+constexpr double flops_per_point_step[3][4] = {
+    {0, 0, 0, 0}, {495, 0, 0, 0}, {0, 0, 0, 0}};  // 0: not counted yet
 
 double processor_seconds() {
   timespec now{};

@@ -1,13 +1,41 @@
 #include "diagnosis/baselines.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "diagnosis/quadrature.hpp"
 
 namespace cpt::diagnosis {
+namespace {
+
+// Least of `rmse_at` over the mechanism's parameters: on a grid of the whole unit box, then on one of the
+// same number of nodes about the best.
+template <class Function>
+double least_over_box(Index dimensions, const Function& rmse_at) {
+  constexpr int nodes[] = {15, 6, 4};
+  VectorXd lower = VectorXd::Zero(dimensions), upper = VectorXd::Ones(dimensions);
+  double least = std::numeric_limits<double>::infinity();
+  for (int grid = 0; grid < 2; ++grid) {
+    const int n = nodes[dimensions - 1];
+    const MatrixXd points = box_rule(lower, upper, n).nodes;
+    VectorXd best = points.row(0);
+    for (Index i = 0; i < points.rows(); ++i) {
+      const double rmse = rmse_at(points.row(i));
+      if (rmse < least) {
+        least = rmse;
+        best = points.row(i);
+      }
+    }
+    lower = (best.array() - 1.0 / n).max(0.0);
+    upper = (best.array() + 1.0 / n).min(1.0);
+  }
+  return least;
+}
+
+}  // namespace
 
 LeastSquares least_squares(const Prepared& prepared) {
-  constexpr int nodes[] = {41, 11, 7};
   const auto mechanisms = static_cast<Index>(prepared.emulators.size());
   const VectorXd& recorded = prepared.problem.recorded;
   const auto n = static_cast<double>(recorded.size());
@@ -22,18 +50,16 @@ LeastSquares least_squares(const Prepared& prepared) {
   const auto criterion = [&](double rmse, Index parameters) {
     return 2.0 * n * std::log(std::max(rmse, 1e-9)) + static_cast<double>(parameters) * std::log(n);
   };
+  result.rmse(mechanisms) = fit(recorded);
   const Index soil = prepared.null.parameters.parameters() + 1;  // and the error's size
   for (Index k = 0; k < mechanisms; ++k) {
     const CurveEmulator& emulator = prepared.emulators[static_cast<std::size_t>(k)];
-    const Index d = emulator.dimensions();
-    const MatrixXd points = box_rule(VectorXd::Zero(d), VectorXd::Ones(d), nodes[d - 1]).nodes;
-    const MatrixXd curves = emulator.components() * emulator.scores(points);
-    double least = fit(recorded);
-    for (Index i = 0; i < curves.cols(); ++i) least = std::min(least, fit(recorded - curves.col(i)));
-    result.rmse(k) = least;
-    bic(k) = criterion(least, soil + d);
+    const double best = least_over_box(emulator.dimensions(), [&](const auto& place) {
+      return fit(recorded - emulator.components() * emulator.scores(MatrixXd(place)));
+    });
+    result.rmse(k) = std::min(result.rmse(mechanisms), best);
+    bic(k) = criterion(result.rmse(k), soil + emulator.dimensions());
   }
-  result.rmse(mechanisms) = fit(recorded);
   bic(mechanisms) = criterion(result.rmse(mechanisms), soil);
   result.bic_weights = (-0.5 * (bic.array() - bic.minCoeff())).exp();
   result.bic_weights /= result.bic_weights.sum();

@@ -28,11 +28,28 @@ from_m = 0.0235
 to_m = 0.0255
 )";
 
+// Seconds a push, so that a signal finds one under way.
+constexpr const char* some_centimetres = R"(title = "Some centimetres"
+profile = "homogeneous_sand"
+preset = "quick"
+
+[fixed]
+"penetrometer.final_depth_m" = 0.05
+
+[parameters]
+"sand.D_r_percent" = { baseline = 36, upper = 46 }
+
+[[windows]]
+name = "start"
+from_m = 0.0235
+to_m = 0.05
+)";
+
 // Everything in the database but times, after the campaign has been run by this command.
 std::string database_of(const StudyFolder& folder) { return contents(folder.file("push.sqlite")); }
 
-std::string run_undisturbed(const StudyFolder& folder) {
-  folder.write("push.toml", few_millimetres);
+std::string run_undisturbed(const StudyFolder& folder, const char* study = few_millimetres) {
+  folder.write("push.toml", study);
   const Result result = run(campaign({folder.file("push.toml"), "--slots", "1"}));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   return database_of(folder);
@@ -91,16 +108,11 @@ TEST(RealSolver, KilledCampaignResumesToTheSameBits) {
 
 TEST(RealSolver, StoppedCampaignGoesOnFromItsCheckpoints) {
   const StudyFolder undisturbed, folder;
-  const std::string expected = run_undisturbed(undisturbed);
+  const std::string expected = run_undisturbed(undisturbed, some_centimetres);
   EXPECT_FALSE(std::filesystem::exists(undisturbed.file("push.checkpoints"))) << "left over";
-  folder.write("push.toml", few_millimetres);
+  folder.write("push.toml", some_centimetres);
   const Command command = campaign({folder.file("push.toml"), "--slots", "1", "--threads", "1"});
   std::string told;
-  const auto checkpoint_kept = [&] {
-    std::error_code ignored;
-    return std::filesystem::exists(folder.file("push.checkpoints"), ignored) &&
-           !std::filesystem::is_empty(folder.file("push.checkpoints"), ignored);
-  };
   for (const int signal : {SIGTERM, SIGUSR1}) {
     Background job(command, {});
     for (int i = 0; i < 500 && children_of(job.pid()).empty(); ++i)
@@ -108,11 +120,10 @@ TEST(RealSolver, StoppedCampaignGoesOnFromItsCheckpoints) {
     std::this_thread::sleep_for(std::chrono::milliseconds(600));
     ASSERT_EQ(::kill(job.pid(), signal), 0);
     const Result result = job.wait();
-    if (result.exit_code == 0) GTEST_SKIP() << "all pushes had ended before the signal came";
     EXPECT_EQ(result.exit_code, 128 + signal) << result.err;
     told += result.err;
   }
-  if (!checkpoint_kept()) GTEST_SKIP() << "no push was under way when the signals came";
+  EXPECT_FALSE(std::filesystem::is_empty(folder.file("push.checkpoints")));
   const Result resumed = run(mpirun(2, {folder.file("push.toml"), "--threads", "2"}));
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   told += resumed.err;

@@ -6,6 +6,7 @@
 
 #include "results/curve_store.hpp"
 #include "results/database.hpp"
+#include "results/provenance.hpp"
 #include "results/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
@@ -213,7 +214,7 @@ TEST_F(Resume, ChangedViewsAreMadeAnew) {
 
 TEST_F(Resume, RunsOfProgramsWithoutChecksumsAreKept) {
   { open(study).record(1, completed(1e6)); }
-  Database(study.database, Database::Mode::read_write).execute("DROP TABLE checksum");
+  Database(study.database, Database::Mode::read_write).execute("DROP TABLE checksum; PRAGMA user_version = 2");
   EXPECT_EQ(open(study).opened().kept, 1);
 }
 
