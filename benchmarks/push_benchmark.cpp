@@ -3,6 +3,7 @@
 //   push/PROFILE/PRESET/THREADS      the first centimetres for each profile at three sizes
 //   scaling/PROFILE/PRESET/FINER     the first steps on meshes refined FINER times: cost against points
 //   whole/PROFILE/PRESET             whole pushes on one thread; minutes each
+//   count/PROFILE/PRESET             the first millimetre, for scripts/count-flops
 //
 // --benchmark_filter=REGEX chooses (push/, scaling/, whole/.*paper ...), --benchmark_list_tests lists.
 #include <benchmark/benchmark.h>
@@ -105,6 +106,13 @@ void push(benchmark::State& state, Profile profile, Preset preset) {
 
 void whole(benchmark::State& state, Profile profile, Preset preset) {
   run(state, make_setup(profile, preset), 1);
+}
+
+void count(benchmark::State& state, Profile profile, Preset preset) {
+  Setup setup = make_setup(profile, preset);
+  const double start = setup.penetrometer.diameter / 2.0 / std::tan(setup.penetrometer.apex / 2.0);
+  setup.penetrometer.final_depth = start + 0.001;
+  run(state, setup, 1);
 }
 
 // Cells and spacing of the points `finer` times smaller in both directions.
@@ -217,7 +225,10 @@ int main(int argc, char** argv) {
       if (preset == Preset::paper) meshes->Arg(2)->Arg(4);
     }
   for (const Profile profile : all_profiles())
-    for (const Preset preset : all_presets()) add("whole", whole, profile, preset);
+    for (const Preset preset : all_presets()) {
+      add("whole", whole, profile, preset);
+      add("count", count, profile, preset);
+    }
 
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

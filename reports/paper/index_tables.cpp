@@ -49,8 +49,14 @@ std::string index_beside(const StudyView& beside, const SensitivityRow& row) {
   return index ? decimals(index.number, 3) : "–";
 }
 
-std::string above(const SensitivityRow& row) {
-  return row.above_noise ? (*row.above_noise ? "yes" : "no") : "–";
+std::string yes_or_no(std::optional<bool> answer) { return answer ? (*answer ? "yes" : "no") : "–"; }
+
+std::string scatter_of(const results::RepeatNoiseRow& noise) {
+  return fmt::format(
+      "{} runs of the baseline with shifted material points average {} kPa and scatter by {} kPa; an index of two "
+      "such runs is known to ±{} (95 %).\n\n",
+      noise.runs, number(noise.q_c_mean_kPa, 4), number(noise.q_c_deviation_kPa, 3),
+      decimals(noise.si_half_width, 3));
 }
 
 std::string window_table(const StudyView& view, const results::WindowRow& window, const Ranking* ranking,
@@ -67,12 +73,15 @@ std::string window_table(const StudyView& view, const results::WindowRow& window
                        decimals(view.noise(window.name).number, 4));
   else
     out += window.problem + ".\n\n";
+  const results::RepeatNoiseRow* repeats = repeat_noise_of(s, window.name);
+  if (repeats != nullptr) out += scatter_of(*repeats);
   std::vector<std::string> columns = {"parameter", "bounds", "q<sub>c</sub> (kPa)", "SI"};
   if (beside != nullptr)
     columns.push_back("SI beside" + (beside->snapshot() != nullptr
                                          ? ", " + beside->snapshot()->campaign.preset
                                          : std::string()));
   columns.push_back("above noise");
+  if (repeats != nullptr) columns.push_back("above repeats");
   if (ranking != nullptr) columns.push_back("the paper's group");
   out += table_head(columns);
   for (const SensitivityRow& row : rows) {
@@ -81,7 +90,8 @@ std::string window_table(const StudyView& view, const results::WindowRow& window
         html(symbol_of(s, p) + unit_of(p)), p.lower_text + " to " + p.upper_text,
         number(row.q_lower_kPa, 4) + " to " + number(row.q_upper_kPa, 4), index_cell(s, row)};
     if (beside != nullptr) cells.push_back(index_beside(*beside, row));
-    cells.push_back(above(row));
+    cells.push_back(yes_or_no(row.above_noise));
+    if (repeats != nullptr) cells.push_back(yes_or_no(row.above_repeats));
     if (ranking != nullptr) cells.push_back(group_of(*ranking, row.parameter));
     out += table_line(cells);
   }

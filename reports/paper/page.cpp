@@ -105,6 +105,9 @@ std::string method() {
   windows). Both runs' deviations enter SI to first order and as independent, with Student's t and Welch's degrees of
   freedom. It speaks of noise along the curve alone: errors of the mesh, the time step or the model that
   are alike at all depths are not in it. A layered soil has no stretch with a trend of its own, so there is no interval.
+- Repeats: the baseline again with its grid of material points shifted against the mesh (`repeats` in the study). SI is
+  above them where |SI| exceeds √2 t s / mean of their averages: more than two runs that differ in nothing physical differ
+  by in 95 of 100 cases.
 - Where a bound equals the baseline, the baseline's run stands for it. B1, M1 and M2 are averaged over 0.1 to 0.7 m, as the
   experiments are in section 3.2; the paper does not name its window there.
 - Paths (B1): for the material points that start nearest to 1, 2 and 3 cone radii from the axis, 0.5 m deep, the mean
