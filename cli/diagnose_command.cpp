@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/diagnosis_input.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/next_measurement.hpp"
 #include "cli/realization_command.hpp"
 #include "cli/request_file.hpp"
 #include "cli/study_argument.hpp"
@@ -50,6 +51,8 @@ void diagnose_one(StudyRunner& runner, const RequestFile& asked, bool report) {
   if (correct(assembled.problem, request, soundings, fitted, diagnosis))
     diagnosis = diagnose(assembled.problem, options);
 
+  if (report)
+    diagnosis.next = next_measurements_of(runner, asked, soundings, assembled, diagnosis, assembled.remarks);
   const auto input = diagnosis_input(request, soundings, assembled, options, diagnosis, fitted);
   const reports::diagnosed::Answer answer = reports::diagnosed::answer_of(input);
   store_answer(request.database, {request.title, asked.study.name, answer.headline}, diagnosis,
@@ -118,6 +121,12 @@ void add_diagnose(CLI::App& program, Action& action) {
   columns = { depth_m = "z_m", q_c_MPa = "qc" }
   from_m = 0.04
   to_m = 0.32
+
+  [[candidates]]               pushes that could be made next, ranked where the answer is a set of effects
+  name = "at 100 kPa"
+  from_m = 0.04
+  to_m = 0.32
+  fixed = { "initial.sigma_v0_kPa" = 100, "initial.sigma_h0_kPa" = 50 }
 
 The solver runs are kept beside the study and used again by the next diagnosis. `campaign list mechanisms` prints
 what is looked for; docs/diagnosis-method.md says how.

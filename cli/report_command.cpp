@@ -23,6 +23,8 @@ struct Arguments {
   std::filesystem::path directory;
   bool watch = false;
   double every_seconds = 5.0;
+  int column_mm = static_cast<int>(reports::Column::one_and_half);
+  [[nodiscard]] reports::Column column() const { return static_cast<reports::Column>(column_mm); }
 };
 
 // NAME-report beside the database NAME.sqlite, or what the study says.
@@ -51,14 +53,15 @@ int watch(const Arguments& arguments, const std::filesystem::path& database,
       const results::Snapshot campaign = results::read_snapshot(database);
       const bool running = std::any_of(campaign.realizations.begin(), campaign.realizations.end(),
                                        [](const auto& run) { return run.waiting(); });
-      const auto files = write_study_report(campaign, database, directory, running ? reload_seconds : 0);
+      const auto files =
+          write_study_report(campaign, database, directory, running ? reload_seconds : 0, arguments.column());
       fmt::print("{}: {}\n", files.front().string(), reports::state_of(campaign));
       std::fflush(stdout);
       if (!running) return all_well;
     }
     sleep(std::chrono::duration<double>(arguments.every_seconds));
   }
-  write_study_report(results::read_snapshot(database), database, directory);
+  write_study_report(results::read_snapshot(database), database, directory, 0, arguments.column());
   return stopped_by_signal + campaign::StopSignals::received();
 }
 
@@ -66,7 +69,8 @@ int report(const Arguments& arguments) {
   const std::filesystem::path database = database_of(arguments.source),
                               directory = report_directory(arguments);
   if (arguments.watch) return watch(arguments, database, directory);
-  for (const auto& file : write_study_report(results::read_snapshot(database), database, directory))
+  for (const auto& file :
+       write_study_report(results::read_snapshot(database), database, directory, 0, arguments.column()))
     fmt::print("{}\n", file.string());
   return all_well;
 }
@@ -86,6 +90,11 @@ void add_report(CLI::App& program, Action& action) {
   command->add_option("--every", arguments->every_seconds, "With --watch: look so often [5]")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.1, 3600.0).description(""));
+  command
+      ->add_option("--column", arguments->column_mm,
+                   "Width of the figures, a journal's column: 90, 140 or 190 [140]")
+      ->type_name("MM")
+      ->check(CLI::IsMember({90, 140, 190}).description(""));
   command->footer(
       "Works at any time, also while the campaign runs. Prints the files written, index.html first: one page "
       "that "

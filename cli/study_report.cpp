@@ -7,10 +7,11 @@ namespace cpt::cli {
 std::vector<std::filesystem::path> write_study_report(const results::Snapshot& campaign,
                                                       const std::filesystem::path& database,
                                                       const std::filesystem::path& directory,
-                                                      int reload_seconds) {
+                                                      int reload_seconds, reports::Column column) {
   const auto folder = database.has_parent_path() ? database.parent_path() : std::filesystem::path(".");
   return reports::write_report(campaign, directory,
-                               {diagnosis::read_answers(folder, campaign.campaign.name), {}, reload_seconds});
+                               {diagnosis::read_answers(folder, campaign.campaign.name), {}, reload_seconds},
+                               column);
 }
 
 }  // namespace cpt::cli

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "reports/column.hpp"
 #include "results/snapshot.hpp"
 
 namespace cpt::cli {
@@ -13,6 +14,7 @@ namespace cpt::cli {
 std::vector<std::filesystem::path> write_study_report(const results::Snapshot& campaign,
                                                       const std::filesystem::path& database,
                                                       const std::filesystem::path& directory,
-                                                      int reload_seconds = 0);
+                                                      int reload_seconds = 0,
+                                                      reports::Column column = reports::Column::one_and_half);
 
 }  // namespace cpt::cli

@@ -19,6 +19,7 @@ DROP TABLE IF EXISTS hypothesis;
 DROP TABLE IF EXISTS mismatch;
 DROP TABLE IF EXISTS fitted_parameter;
 DROP TABLE IF EXISTS mechanism_pair;
+DROP TABLE IF EXISTS next_measurement;
 CREATE TABLE diagnosis (
   title             TEXT NOT NULL,
   study             TEXT NOT NULL,
@@ -47,6 +48,9 @@ CREATE TABLE fitted_parameter (
 ) WITHOUT ROWID;
 CREATE TABLE mechanism_pair (
   position INTEGER PRIMARY KEY, first TEXT NOT NULL, second TEXT NOT NULL, log_evidence REAL
+);
+CREATE TABLE next_measurement (
+  position INTEGER PRIMARY KEY, name TEXT NOT NULL, least_distance REAL
 );
 )sql";
 
@@ -131,6 +135,13 @@ void store_answer(const std::filesystem::path& file, const AnswerText& text, con
         .bind(f.deviation)
         .bind(f.lower)
         .bind(f.upper)
+        .run();
+  position = 0;
+  for (const NextMeasurement& next : diagnosis.next)
+    database.prepare("INSERT INTO next_measurement VALUES (?, ?, ?)")
+        .bind(++position)
+        .bind(next.name)
+        .bind(next.least_distance)
         .run();
   position = 0;
   for (const PairEvidence& pair : diagnosis.pairs)

@@ -17,7 +17,8 @@ using parameters::Side;
 // The finished curves of one sounding on its grid.
 class Curves {
  public:
-  Curves(const SoundingData& data, const SoundingGrid& grid) : data_(data), grid_(grid) {
+  Curves(const SoundingData& data, const SoundingGrid& grid, Measured measured)
+      : data_(data), grid_(grid), measured_(measured) {
     realizations_ = parameters::one_at_a_time(data.study.study);
   }
 
@@ -26,7 +27,9 @@ class Curves {
     for (const results::RealizationRow& row : data_.campaign.realizations)
       if (row.id == id && !row.completed()) return std::nullopt;
     for (const results::CurveRow& curve : data_.campaign.curves)
-      if (curve.realization == id) return log_cell_means(grid_, curve.profile.depth, curve.profile.q_c);
+      if (curve.realization == id)
+        return log_cell_means(grid_, curve.profile.depth,
+                              measured_ == Measured::q_c ? curve.profile.q_c : curve.profile.f_s);
     return std::nullopt;
   }
   [[nodiscard]] std::optional<VectorXd> of_row(int row, Side side) const {
@@ -42,6 +45,7 @@ class Curves {
  private:
   const SoundingData& data_;
   SoundingGrid grid_;
+  Measured measured_;
   std::vector<parameters::Realization> realizations_;
 };
 
@@ -88,46 +92,66 @@ void check_pair(const SoundingRequest& sounding, const VectorXd& recorded, const
 
 class Assembler {
  public:
-  Assembler(const Request& request, const std::vector<SoundingData>& soundings)
-      : request_(request), soundings_(soundings) {}
+  Assembler(const Request& request, const std::vector<SoundingData>& soundings, Measured measured)
+      : request_(request), soundings_(soundings), measured_(measured) {}
 
   Assembled make() {
     lay_grids();
     take_recordings();
-    take_parameters();
-    take_repeats();
-    take_joint();
-    take_mechanisms();
+    if (request_.measurement > 0.0)
+      made_.problem.measurement = NoiseModel{Kernel::ar1, request_.measurement, request_.correlation};
+    take_runs();
+    return std::move(made_);
+  }
+
+  Assembled make_unmeasured(const NoiseModel& measurement) {
+    lay_grids();
+    std::vector<VectorXd> baseline;
+    for (const Curves& curves : curves_) baseline.push_back(simulated(curves));
+    made_.problem.baseline = made_.problem.recorded = concatenate(baseline);
+    made_.problem.measurement = measurement;
+    take_runs();
     return std::move(made_);
   }
 
  private:
+  void take_runs() {
+    made_.problem.numerical_shares = request_.simulated ? 2.0 : 1.0;
+    take_parameters();
+    take_repeats();
+    take_joint();
+    take_mechanisms();
+  }
+
   void lay_grids() {
     for (const SoundingData& data : soundings_) {
       grids_.push_back(grid_of(data.request, request_.cell_height));
-      curves_.emplace_back(data, grids_.back());
+      curves_.emplace_back(data, grids_.back(), measured_);
     }
     made_.problem.cells = cells_of(grids_);
+  }
+
+  [[nodiscard]] VectorXd simulated(const Curves& curves) const {
+    const SoundingData& data = soundings_[static_cast<std::size_t>(&curves - curves_.data())];
+    const std::optional<VectorXd> baseline = curves.baseline();
+    if (!baseline)
+      throw std::invalid_argument(data.request.name + ": the baseline's run failed; see the failures of " +
+                                  data.study.study.database.string());
+    return *baseline;
   }
 
   void take_recordings() {
     std::vector<VectorXd> recorded, baseline;
     for (std::size_t s = 0; s < soundings_.size(); ++s) {
       const SoundingData& data = soundings_[s];
-      const std::optional<VectorXd> simulated = curves_[s].baseline();
-      if (!simulated)
-        throw std::invalid_argument(data.request.name + ": the baseline's run failed; see the failures of " +
-                                    data.study.study.database.string());
+      const VectorXd here = simulated(curves_[s]);
       check_recording(data.request, data.recording, request_.cell_height);
       recorded.push_back(recorded_cells(data.recording, grids_[s]));
-      check_pair(data.request, recorded.back(), *simulated);
-      baseline.push_back(*simulated);
+      check_pair(data.request, recorded.back(), here);
+      baseline.push_back(here);
     }
     made_.problem.recorded = concatenate(recorded);
     made_.problem.baseline = concatenate(baseline);
-    if (request_.measurement > 0.0)
-      made_.problem.measurement = NoiseModel{Kernel::ar1, request_.measurement, request_.correlation};
-    made_.problem.numerical_shares = request_.simulated ? 2.0 : 1.0;
   }
 
   // Rows that are uncertain in every sounding; what is known in one is taken as it is there.
@@ -258,6 +282,7 @@ class Assembler {
 
   const Request& request_;
   const std::vector<SoundingData>& soundings_;
+  Measured measured_;
   std::vector<SoundingGrid> grids_;
   std::vector<Curves> curves_;
   Assembled made_;
@@ -302,7 +327,15 @@ void check_recording(const SoundingRequest& sounding, const recordings::Recordin
 }
 
 Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings) {
-  return Assembler(request, soundings).make();
+  return Assembler(request, soundings, Measured::q_c).make();
+}
+
+Assembled assemble_unmeasured(const Request& request, const std::vector<SoundingData>& soundings,
+                              Measured measured, const NoiseModel& measurement) {
+  constexpr double friction_over_tip = 3.0;
+  NoiseModel noise = measurement;
+  if (measured == Measured::f_s) noise.deviation *= friction_over_tip;
+  return Assembler(request, soundings, measured).make_unmeasured(noise);
 }
 
 }  // namespace cpt::diagnosis

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cpt::diagnosis {
@@ -155,6 +156,12 @@ SoundingStudy sounding_study(const parameters::Study& study, const SoundingReque
               own.points);
     drawn += joint_runs_of_mechanism;
   }
+  // What is known holds in every run: a first push has no previous one, whatever the mechanisms' runs say.
+  for (DesignPoint& point : own.points)
+    std::erase_if(point.changes, [&](const parameters::Change& change) {
+      return std::ranges::any_of(
+          sounding.changes, [&](const auto& known) { return known.quantity->name == change.quantity->name; });
+    });
   return made;
 }
 

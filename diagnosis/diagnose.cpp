@@ -162,6 +162,14 @@ std::vector<std::size_t> answers(const Diagnosis& diagnosis, const Options& opti
   return set;
 }
 
+// Depth [m] that the sounding with the fewest cells covers.
+double shortest_sounding(const std::vector<Cell>& cells) {
+  std::vector<int> count(static_cast<std::size_t>(cells.back().sounding) + 1, 0);
+  for (const Cell& cell : cells) ++count[static_cast<std::size_t>(cell.sounding)];
+  std::erase(count, 0);
+  return *std::min_element(count.begin(), count.end()) * cells.front().height;
+}
+
 std::vector<PriorVariation> vary(const Problem& problem, const NullModel& null,
                                  const std::vector<CurveEmulator>& emulators, const VectorXd& log_evidence,
                                  const VectorXd& prior, const Options& options, const Diagnosis& diagnosis) {
@@ -252,11 +260,6 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
   const Observation present{"this recording", null.covariance, emulators};
   d.isolability = isolability(present, phi);
   d.set = answers(d, options);
-  std::vector<std::size_t> mechanisms_in_set;
-  for (const std::size_t k : d.set)
-    if (k < nothing) mechanisms_in_set.push_back(k);
-  if (mechanisms_in_set.size() > 1)
-    d.next = next_measurements(present, problem.candidates, mechanisms_in_set, phi);
 
   // Show it on what was held out.
   if (nothing > 0) {
@@ -271,7 +274,8 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
     }
     d.with_best = d.with[*d.best];
     const double correlation = std::max(d.measurement.length, d.numerical ? d.numerical->target.length : 0.0);
-    const double length = std::max(options.held_out_length, 3.0 * correlation);
+    const double length =
+        std::max(std::min(options.held_out_length, 0.25 * shortest_sounding(d.cells)), 3.0 * correlation);
     const auto blocks = depth_blocks(d.cells, length);
     if (blocks.size() > 1) {
       const VectorXd recorded = corrected(problem.recorded, problem.mechanisms[*d.best]);
@@ -286,6 +290,27 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
   if (options.sensitivity)
     d.variations = vary(problem, null, emulators, weighing.log_evidence, prior, options, d);
   return d;
+}
+
+std::vector<std::size_t> mechanisms_in_set(const Diagnosis& diagnosis) {
+  std::vector<std::size_t> mechanisms;
+  for (const std::size_t k : diagnosis.set)
+    if (k < diagnosis.mechanisms.size()) mechanisms.push_back(k);
+  return mechanisms;
+}
+
+Observation observation_of(const std::string& name, const Problem& problem, const Options& options) {
+  Prepared prepared = prepare(problem, options);
+  return {name, std::move(prepared.null.covariance), std::move(prepared.emulators)};
+}
+
+std::vector<NextMeasurement> rank_next_measurements(const Observation& present, const Diagnosis& diagnosis,
+                                                    const std::vector<Observation>& candidates) {
+  const std::vector<std::size_t> set = mechanisms_in_set(diagnosis);
+  if (set.size() < 2) return {};
+  std::vector<VectorXd> phi;
+  for (const MechanismEvidence& mechanism : diagnosis.mechanisms) phi.push_back(mechanism.mode);
+  return next_measurements(present, candidates, set, phi);
 }
 
 }  // namespace cpt::diagnosis

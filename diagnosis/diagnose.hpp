@@ -24,7 +24,6 @@ struct Problem {
   std::optional<NoiseModel> measurement;  ///< if none: from the recording's high-pass part
   double numerical_shares = 1.0;  ///< of the repeats' covariance: 1 for the baseline's own scatter; 2 if the
                                   ///< recording too is a single run of a solver
-  std::vector<Observation> candidates;  ///< for the next measurement; mechanisms in the same order
 };
 
 struct Options {
@@ -38,7 +37,7 @@ struct Options {
   double indistinguishable = 2.5;  ///< [standard deviations] D_ij below it
   double credible = 0.9;           ///< probability of the set of answers
   double high_pass = 0.15;         // [m] wavelength, where the measurement noise is not given
-  double held_out_length = 0.1;    // [m] of a block, or 3 correlation lengths if that is more
+  double held_out_length = 0.1;  // [m] of a block; a quarter of a shorter sounding, but 3 correlation lengths
   int bootstraps = 1000;
   int pairs_of = 3;         ///< the best few mechanisms whose pairs are tried
   bool sensitivity = true;  ///< to the widths of the priors
@@ -78,7 +77,7 @@ struct Diagnosis {
   std::size_t answer;                   ///< of the hypotheses, after the gate
   std::vector<std::size_t> set;         ///< hypotheses that the recording does not tell apart, and 90 %
   MatrixXd isolability;                 // D_ij; the last column D_i0
-  std::vector<NextMeasurement> next;    ///< if the set has several mechanisms
+  std::vector<NextMeasurement> next;    ///< filled in by what rank_next_measurements says
   std::optional<std::size_t> best;      ///< the most probable mechanism, which the rest is about
   Recalibration with_best;              ///< the null recalibrated beside it; curve includes it
   std::vector<Recalibration> with;      ///< the same for every mechanism
@@ -102,5 +101,18 @@ struct Prepared {
 /// Throws std::invalid_argument if fewer than 10 cells are complete, shapes disagree or a covariance is not
 /// positive definite. The same problem and options give the same bits.
 [[nodiscard]] Diagnosis diagnose(const Problem& problem, const Options& options = {});
+
+/// The mechanisms of the answer's set.
+[[nodiscard]] std::vector<std::size_t> mechanisms_in_set(const Diagnosis& diagnosis);
+
+/// The recording at hand, to be held against what could be measured next.
+[[nodiscard]] Observation observation_of(const std::string& name, const Problem& problem,
+                                         const Options& options = {});
+
+/// What would tell the mechanisms of the answer's set apart best, the best first; nothing where the set has
+/// fewer than two. The candidates hold the problem's mechanisms in its order.
+[[nodiscard]] std::vector<NextMeasurement> rank_next_measurements(const Observation& present,
+                                                                  const Diagnosis& diagnosis,
+                                                                  const std::vector<Observation>& candidates);
 
 }  // namespace cpt::diagnosis

@@ -28,16 +28,20 @@ class RequestReader {
   }
 
   Request read() {
-    static constexpr std::array<std::string_view, 7> known = {"title", "study",   "mechanisms", "soundings",
-                                                              "noise", "options", "cases"};
+    static constexpr std::array<std::string_view, 8> known = {"title", "study",   "mechanisms", "soundings",
+                                                              "noise", "options", "candidates", "cases"};
     const bool plan = recordings_ == Recordings::to_be_made;
-    refuse_unknown_keys(root_, "", std::span(known).first(plan ? 7 : 6), errors_);
+    refuse_unknown_keys(root_, "", std::span(known).first(plan ? 8 : 7), errors_);
     request_.title = text_field(root_, "", "title", false, errors_).value_or(request_.name);
     (void)text_field(root_, "", "study", true, errors_);
     read_mechanisms();
     read_noise();
     read_options();
-    for (const Value* table : sections(root_, "soundings", errors_)) read_sounding(*table);
+    const bool recorded = recordings_ == Recordings::given;
+    for (const Value* table : sections(root_, "soundings", errors_))
+      read_sounding(*table, "soundings", recorded, request_.soundings);
+    for (const Value* table : sections(root_, "candidates", errors_))
+      read_sounding(*table, "candidates", false, request_.candidates);
     if (request_.soundings.empty() && errors_.empty())
       errors_.add({}, "soundings", "is missing: a diagnosis needs at least one recording",
                   "add [[soundings]] with recording, from_m and to_m");
@@ -152,50 +156,51 @@ class RequestReader {
     }
   }
 
-  void read_sounding(const Value& table) {
+  // A push with its recording, or one that has none (yet).
+  void read_sounding(const Value& table, std::string_view list, bool recorded,
+                     std::vector<SoundingRequest>& into) {
     static constexpr std::array<std::string_view, 6> known = {"name",  "from_m",    "to_m",
                                                               "fixed", "recording", "columns"};
-    const bool plan = recordings_ == Recordings::to_be_made;
-    refuse_unknown_keys(table, "soundings", std::span(known).first(plan ? 4 : 6), errors_);
+    refuse_unknown_keys(table, list, std::span(known).first(recorded ? 6 : 4), errors_);
     SoundingRequest sounding;
-    const auto recording = text_field(table, "soundings", "recording", !plan, errors_);
-    const auto from = number_field(table, "soundings", "from_m", true, errors_);
-    const auto to = number_field(table, "soundings", "to_m", true, errors_);
+    const auto recording = text_field(table, list, "recording", recorded, errors_);
+    const auto from = number_field(table, list, "from_m", true, errors_);
+    const auto to = number_field(table, list, "to_m", true, errors_);
     sounding.recording = beside(recording.value_or(""));
     sounding.name =
-        text_field(table, "soundings", "name", plan, errors_).value_or(sounding.recording.stem().string());
+        text_field(table, list, "name", !recorded, errors_).value_or(sounding.recording.stem().string());
     read_columns(table, sounding);
     if (const Member* fixed = table.find("fixed")) {
       if (fixed->value.kind != Value::Kind::table)
-        errors_.add(fixed->place, "soundings.fixed", "must be a table of quantities and values");
+        errors_.add(fixed->place, joined(list, "fixed"), "must be a table of quantities and values");
       else
         for (const Setting& setting :
-             read_settings(fixed->value, "soundings.fixed", {}, study_.baseline, false, errors_))
+             read_settings(fixed->value, joined(list, "fixed"), {}, study_.baseline, false, errors_))
           sounding.changes.push_back({setting.quantity, setting.value});
     }
     if (!from || !to) return;
     sounding.from = *from;
     sounding.to = *to;
-    check_depths(table, sounding);
-    request_.soundings.push_back(std::move(sounding));
+    check_depths(table, list, sounding);
+    into.push_back(std::move(sounding));
   }
 
-  void check_depths(const Value& table, const SoundingRequest& sounding) {
+  void check_depths(const Value& table, std::string_view list, const SoundingRequest& sounding) {
     const Place place = table.find("to_m")->value.place;
     const double final_depth = study_.baseline.penetrometer.final_depth;
     const double least = 10.0 * request_.cell_height;
     if (sounding.to - sounding.from < least)
       errors_.add(
-          place, "soundings.to_m",
+          place, joined(list, "to_m"),
           fmt::format("{} m to {} m is less than 10 cells of the depth grid", sounding.from, sounding.to),
           fmt::format("compare at least {:g} m", least));
     else if (sounding.to > final_depth + 1e-9)
-      errors_.add(place, "soundings.to_m",
+      errors_.add(place, joined(list, "to_m"),
                   fmt::format("{} m is below the end of the study's push, penetrometer.final_depth_m = {}",
                               sounding.to, final_depth));
     else if (sounding.from < 0.03)
       errors_.add(
-          table.find("from_m")->value.place, "soundings.from_m",
+          table.find("from_m")->value.place, joined(list, "from_m"),
           fmt::format("{} m lies within the start of the simulated push, whose cone is wished in place",
                       sounding.from),
           "begin at 0.03 m or deeper");

@@ -28,6 +28,7 @@ struct Request {
   std::string title;
   std::filesystem::path study;  ///< absolute
   std::vector<SoundingRequest> soundings;
+  std::vector<SoundingRequest> candidates;           ///< pushes that could be made next; without recording
   std::vector<const solver::Mechanism*> mechanisms;  ///< that may be missing; all apply to the study
   double cell_height = 0.005;                        // [m] of the depth grid
   double measurement = 0.0;   // [-] relative noise of the recording; 0: from its own high-pass part

@@ -15,9 +15,7 @@ using results::Snapshot;
 using results::WindowMeanRow;
 using results::WindowRow;
 
-constexpr double figure_width = 400.0;
-constexpr double main_width = 150.0;
-constexpr double inset_left = 268.0;
+constexpr double wide_inset = 118.0, narrow_inset = 76.0;
 constexpr double inset_height = 120.0;
 constexpr double inset_pitch = inset_height + 68.0;
 
@@ -69,16 +67,16 @@ DepthPlot enlarged(const solver::DepthProfile& profile, const Inset& inset, cons
 }
 
 void draw_inset(Svg& svg, const Snapshot& campaign, const solver::DepthProfile& profile, const Inset& inset,
-                const DepthPlot& whole, const Box& box) {
+                const DepthPlot& whole, const Box& box, bool narrow) {
   const DepthPlot plot = enlarged(profile, inset, box);
   // Two thin lines tie the inset to its place on the profile.
   const double middle = whole.depth(0.5 * (inset.window->from_m + inset.window->to_m));
   for (const double y : {box.y, box.bottom()})
-    svg.line({whole.box.right() + 4.5, middle}, {box.x - 40.0, y}, {palette::faint, 0.5, {}});
+    if (!narrow) svg.line({whole.box.right() + 4.5, middle}, {box.x - 40.0, y}, {palette::faint, 0.5, {}});
   svg.text({box.x - 34.0, box.y - 32.0},
            plain(shortened(inset.window->name, box.right() - box.x + 34.0, 8.0, true)),
            {.size = 8.0, .bold = true});
-  plot.draw_ground(svg, campaign.layers, 3, 4);
+  plot.draw_ground(svg, campaign.layers, narrow ? 2 : 3, 4);
   svg.rectangle({box.x, plot.depth(inset.window->from_m), box.width,
                  plot.depth(inset.window->to_m) - plot.depth(inset.window->from_m)},
                 palette::sky, 0.3);
@@ -90,15 +88,20 @@ void draw_inset(Svg& svg, const Snapshot& campaign, const solver::DepthProfile& 
            {palette::vermillion, 1.4, {}});
   plot.draw_frame(svg);
   const double noise = (inset.mean->q_c_max_kPa - inset.mean->q_c_min_kPa) / inset.mean->q_c_max_kPa;
-  svg.text({box.right(), box.bottom() + 11.0},
-           symbolic("average q_c ") + plain(fmt::format("{} kPa, ", number(inset.mean->q_c_mean_kPa, 4))) +
-               symbolic("SI_noise ") + plain(decimals(noise, 4)),
-           {.size = 7.0, .anchor = Anchor::end});
+  const Rich average = symbolic("average q_c ") + plain(number(inset.mean->q_c_mean_kPa, 4) + " kPa"),
+             index = symbolic("SI_noise ") + plain(decimals(noise, 4));
+  const TextStyle style{.size = 7.0, .anchor = Anchor::end};
+  svg.text({box.right(), box.bottom() + 11.0}, narrow ? average : average + plain(", ") + index, style);
+  if (narrow) svg.text({box.right(), box.bottom() + 20.0}, index, style);
 }
 
 }  // namespace
 
-std::optional<std::string> baseline_figure(const Snapshot& campaign) {
+std::optional<std::string> baseline_figure(const Snapshot& campaign, Column column) {
+  const double figure_width = width_of(column);
+  const bool narrow = column == Column::single;
+  const double inset_width = narrow ? narrow_inset : wide_inset,
+               inset_left = figure_width - inset_width - 14.0;
   const results::RealizationRow* baseline = baseline_run(campaign);
   const solver::DepthProfile* profile = baseline != nullptr ? curve_of(campaign, baseline->id) : nullptr;
   if (profile == nullptr) return std::nullopt;
@@ -110,9 +113,9 @@ std::optional<std::string> baseline_figure(const Snapshot& campaign) {
   Svg svg(figure_width, head + plot_height + 22.0, "baseline");
   const double top = draw_heading(svg, campaign, campaign.campaign.title,
                                   {symbolic("baseline q_c over depth; windows enlarged at the right")});
-  const Box box{50.0, top + 36.0, main_width, plot_height};
+  const Box box{50.0, top + 36.0, inset_left - 118.0 + (narrow ? 26.0 : 0.0), plot_height};
   const DepthPlot whole = whole_profile(campaign, {{baseline->id, *profile}}, box);
-  whole.draw_ground(svg, campaign.layers, 3);
+  whole.draw_ground(svg, campaign.layers, narrow ? 2 : 3);
   svg.begin_clip(box);
   whole.draw_curve(svg, *profile, {palette::ink, 0.9, {}});
   svg.end_clip();
@@ -120,8 +123,8 @@ std::optional<std::string> baseline_figure(const Snapshot& campaign) {
   const std::vector<double> tops = beside_windows(insets, whole);
   for (std::size_t i = 0; i < insets.size(); ++i) {
     whole.draw_window_mark(svg, *insets[i].window);
-    draw_inset(svg, campaign, *profile, insets[i], whole,
-               {inset_left, tops[i], figure_width - inset_left - 14.0, inset_height});
+    draw_inset(svg, campaign, *profile, insets[i], whole, {inset_left, tops[i], inset_width, inset_height},
+               narrow);
   }
   return svg.document("Baseline: " + campaign.campaign.title);
 }

@@ -14,7 +14,6 @@ namespace {
 constexpr double kPa = 1.0e3;
 constexpr double glyph_width = 16.0;
 constexpr double text_size = 7.5;
-constexpr double entry_pitch = 13.0;
 
 /// Median of a value and up to two neighbours on either side: a spike of one or two bins, as at the start of
 /// a push, must not set the scale.
@@ -98,7 +97,7 @@ void Legend::entry(const Rich& text) {
   for (const Span& span : text) whole += span.text;
   svg_.text({x_ + glyph_width + 5.0, y_ + 0.36 * text_size},
             fits ? text : plain(shortened(whole, room, text_size)), {.size = text_size});
-  y_ += entry_pitch;
+  y_ += pitch;
 }
 
 void Legend::line(const Rich& text, const Pen& pen) {

@@ -38,6 +38,7 @@ class Legend {
   void dot(const Rich& text, std::string_view fill);
   void mark(const Rich& text);  ///< the bracket of draw_window_mark
   void gap() { y_ += 6.0; }
+  static constexpr double pitch = 13.0;  ///< [pt] from entry to entry
 
  private:
   void entry(const Rich& text);

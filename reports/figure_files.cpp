@@ -53,7 +53,7 @@ void write_text(const fs::path& file, const std::string& text) {
   }
 }
 
-std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign) {
+std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign, Column column) {
   std::vector<NamedFigure> figures;
   std::set<std::string> taken;
   for (const results::WindowRow& window : campaign.windows) {
@@ -62,19 +62,19 @@ std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign) {
                        fmt::format("Range of the average cone resistance in window {} between each input's "
                                    "lower and upper bound, whose values stand at the bar's ends.",
                                    window.name),
-                       tornado_figure(campaign, window)});
+                       tornado_figure(campaign, window, column)});
     figures.push_back({"sensitivity_" + part,
                        fmt::format("Sensitivity index of each input in window {}; the dashed line is the "
                                    "noise of the baseline.",
                                    window.name),
-                       sensitivity_figure(campaign, window)});
+                       sensitivity_figure(campaign, window, column)});
   }
   figures.push_back({"profiles",
                      "Cone resistance of all realizations; those furthest from the baseline in a window are "
                      "told apart.",
-                     profiles_figure(campaign)});
+                     profiles_figure(campaign, column)});
   figures.push_back({"baseline", "Cone resistance of the baseline and the windows it is averaged in.",
-                     baseline_figure(campaign)});
+                     baseline_figure(campaign, column)});
   return figures;
 }
 

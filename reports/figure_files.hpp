@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/column.hpp"
 #include "results/snapshot.hpp"
 
 namespace cpt::reports {
@@ -17,7 +18,8 @@ struct NamedFigure {
 };
 
 /// Tornado and indices of every window, profiles, baseline.
-[[nodiscard]] std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign);
+[[nodiscard]] std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign,
+                                                        Column column = Column::one_and_half);
 
 /// Writes NAME.svg and NAME.png and returns them; without an SVG it removes those of an earlier report.
 /// Throws results::Error if a file cannot be written.

@@ -15,7 +15,6 @@ namespace {
 using results::RealizationRow;
 using results::Snapshot;
 
-constexpr double figure_width = 400.0;
 constexpr double legend_width = 130.0;
 constexpr double plot_height = 330.0;
 
@@ -43,17 +42,24 @@ std::vector<int> furthest_from_baseline(const Snapshot& campaign, const Realizat
 
 }  // namespace
 
-std::optional<std::string> profiles_figure(const Snapshot& campaign) {
+std::optional<std::string> profiles_figure(const Snapshot& campaign, Column column) {
+  const double figure_width = width_of(column);
+  const bool narrow = column == Column::single;  // its legend lies below
   if (campaign.curves.empty()) return std::nullopt;
   const RealizationRow* baseline = baseline_run(campaign);
   const std::vector<int> marked = furthest_from_baseline(campaign, baseline, palette::series.size());
   const auto rank = [&](int id) { return std::find(marked.begin(), marked.end(), id) - marked.begin(); };
 
   const double lines = all_completed(campaign) ? 1.0 : 2.0;
-  Svg svg(figure_width, 23.0 + 12.5 * lines + 40.0 + plot_height + 14.0, "profiles");
+  const auto entries = static_cast<double>(
+      marked.size() + 3 +  // baseline, others, window
+      static_cast<std::size_t>(std::ranges::any_of(campaign.realizations, &RealizationRow::failed)) +
+      static_cast<std::size_t>(campaign.layers.size() > 1));
+  const double below = narrow ? Legend::pitch * entries + 8.0 : 0.0;
+  Svg svg(figure_width, 23.0 + 12.5 * lines + 40.0 + plot_height + 14.0 + below, "profiles");
   const double top =
       draw_heading(svg, campaign, campaign.campaign.title, {symbolic("q_c of all realizations over depth")});
-  const Box plot{50.0, top + 36.0, figure_width - 50.0 - legend_width - 14.0, plot_height};
+  const Box plot{50.0, top + 36.0, figure_width - 64.0 - (narrow ? 0.0 : legend_width), plot_height};
   const DepthPlot axes = whole_profile(campaign, campaign.curves, plot);
   axes.draw_ground(svg, campaign.layers);
 
@@ -74,7 +80,8 @@ std::optional<std::string> profiles_figure(const Snapshot& campaign) {
   svg.end_clip();
   axes.draw_frame(svg);
 
-  Legend legend{svg, plot.right() + 12.0, plot.y + 6.0, legend_width - 2.0};
+  Legend legend{svg, narrow ? plot.x : plot.right() + 12.0, narrow ? plot.bottom() + 14.0 : plot.y + 6.0,
+                narrow ? plot.width : legend_width - 2.0};
   if (base != nullptr) legend.line(plain("baseline"), {palette::ink, 1.4, {}});
   for (std::size_t k = 0; k < marked.size(); ++k) {
     const auto& run = *std::find_if(campaign.realizations.begin(), campaign.realizations.end(),

@@ -7,11 +7,11 @@
 namespace cpt::reports {
 
 std::vector<std::filesystem::path> write_report(const results::Snapshot& campaign,
-                                                const std::filesystem::path& directory, PageContext context) {
+                                                const std::filesystem::path& directory, PageContext context,
+                                                Column column) {
   make_directory(directory);
   std::vector<std::filesystem::path> files = {directory / "index.html"};
-  const std::vector<NamedFigure> figures = campaign_figures(campaign);
-  for (const NamedFigure& figure : figures)
+  for (const NamedFigure& figure : campaign_figures(campaign, column))
     for (const std::filesystem::path& file : write_figure(figure, directory)) files.push_back(file);
 
   const auto table = [&](const char* name, const results::Table& numbers) {
@@ -25,7 +25,8 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
   files.push_back(directory / "report.json");
   write_text(files.back(), report_json(campaign));
   files.push_back(directory / "report.pdf");
-  write_pdf(supplement(campaign, figures), campaign.campaign.title, campaign.campaign.created, files.back());
+  write_pdf(supplement(campaign, campaign_figures(campaign)), campaign.campaign.title,
+            campaign.campaign.created, files.back());
   for (auto file = files.begin() + 1; file != files.end(); ++file)
     context.files.push_back(file->filename().string());
   write_text(files.front(), page(campaign, context));

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "reports/column.hpp"
 #include "reports/page.hpp"
 
 namespace cpt::reports {
@@ -13,7 +14,8 @@ namespace cpt::reports {
 ///   tornado_WINDOW         range of q_c between each parameter's bounds (Yost et al. 2023, Fig. 11)
 ///   sensitivity_WINDOW     sensitivity indices with the noise floor (Fig. 12)
 ///   profiles               q_c over depth of every realization (Fig. 10)
-///   baseline               the baseline with its windows enlarged (Fig. 9); all figures as .svg and .png
+///   baseline               the baseline with its windows enlarged (Fig. 9); all figures as .svg and .png,
+///                          as wide as a journal's `column`
 ///   sensitivity.csv, realizations.csv, window_means.csv, curves.csv   the numbers
 ///   report.json            all of the numbers in one file
 ///   report.pdf             tables and figures on A4, see supplement.hpp
@@ -22,6 +24,7 @@ namespace cpt::reports {
 /// written, in the order above. Throws results::Error if a file cannot be written.
 std::vector<std::filesystem::path> write_report(const results::Snapshot& campaign,
                                                 const std::filesystem::path& directory,
-                                                PageContext context = {});
+                                                PageContext context = {},
+                                                Column column = Column::one_and_half);
 
 }  // namespace cpt::reports

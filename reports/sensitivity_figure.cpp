@@ -5,6 +5,7 @@
 
 #include "reports/axis.hpp"
 #include "reports/figures.hpp"
+#include "reports/flow_legend.hpp"
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
 
@@ -14,7 +15,6 @@ namespace {
 using results::SensitivityRow;
 using results::Snapshot;
 
-constexpr double figure_width = 400.0;
 constexpr double row_pitch = 15.5;
 constexpr double bar_height = 9.5;
 constexpr double value_size = 7.0;
@@ -65,12 +65,39 @@ void draw_value(Svg& svg, const Axis& axis, const SensitivityRow& row, double y)
   svg.text({x, base}, text, {.size = value_size, .halo = true});
 }
 
+FlowLegend make_legend(const SensitivityRow& row) {
+  FlowLegend legend;
+  const auto patch = [](std::string_view fill) {
+    return [fill](Svg& svg, Point at) { svg.rectangle({at.x, at.y - 3.5, 9.0, 7.0}, fill); };
+  };
+  legend.add(9.0, plain("positive"), patch(palette::blue));
+  legend.add(9.0, plain("negative"), patch(palette::orange));
+  legend.add(18.0, plain("within noise"), [](Svg& svg, Point at) {
+    svg.rectangle({at.x, at.y - 3.5, 9.0, 7.0}, palette::blue, 0.4);
+    svg.rectangle({at.x + 9.0, at.y - 3.5, 9.0, 7.0}, palette::orange, 0.4);
+  });
+  if (std::isfinite(row.si_noise))
+    legend.add(16.0, symbolic("SI_noise") + plain(" = " + decimals(row.si_noise, 4)), [](Svg& svg, Point at) {
+      svg.line(at, {at.x + 16.0, at.y}, {palette::ink, 1.0, "4 2.5"});
+    });
+  if (std::isfinite(row.si_half_width))
+    legend.add(12.0, plain("95 %, repeats"), [](Svg& svg, Point at) {
+      svg.line(at, {at.x + 12.0, at.y}, {palette::ink, 0.9, {}});
+      for (const double end : {at.x, at.x + 12.0})
+        svg.line({end, at.y - 2.2}, {end, at.y + 2.2}, {palette::ink, 0.9, {}});
+    });
+  return legend;
+}
+
 }  // namespace
 
-std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const results::WindowRow& window) {
+std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const results::WindowRow& window,
+                                              Column column) {
+  const double figure_width = width_of(column);
   const std::vector<SensitivityRow> rows = sorted_rows(campaign, window.name);
   if (rows.empty() || !std::isfinite(rows.front().si)) return std::nullopt;
   const double noise = rows.front().si_noise;
+  const FlowLegend legend = make_legend(rows.front());
 
   std::vector<Rich> labels;
   double label_width = 0.0;
@@ -80,7 +107,8 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   }
   const double lines = all_completed(campaign) ? 1.0 : 2.0;
   const double plot_height = row_pitch * static_cast<double>(rows.size()) + 4.0;
-  Svg svg(figure_width, 23.0 + 12.5 * lines + 4.0 + plot_height + 62.0, "sensitivity");
+  Svg svg(figure_width, 23.0 + 12.5 * lines + 4.0 + plot_height + 50.0 + legend.height(figure_width - 28.0),
+          "sensitivity");
   const Rich what = plain(": ") + symbolic("SI = (q_upper − q_lower) / q_upper") +
                     plain(" over " + depth_range(window.from_m, window.to_m));
   const double top =
@@ -91,7 +119,8 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   const double high = largest > 0.0 ? largest * plot.width / (plot.width - value_room) : 1.0;
   const Axis axis{0.0, high, plot.x, plot.right()};
 
-  draw_horizontal(svg, plot, axis, Edge::bottom, plain("sensitivity index |SI|"), 6);
+  draw_horizontal(svg, plot, axis, Edge::bottom, plain("sensitivity index |SI|"),
+                  column == Column::single ? 4 : 6);
   const auto row_y = [&](std::size_t i) { return plot.y + 2.0 + row_pitch * (static_cast<double>(i) + 0.5); };
   for (std::size_t i = 0; i < rows.size(); ++i) draw_bar(svg, axis, rows[i], row_y(i));
   if (std::isfinite(noise))
@@ -105,30 +134,7 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   svg.line({plot.x, plot.y}, {plot.x, plot.bottom()}, {palette::ink, 0.6, {}});
   svg.line({plot.x, plot.bottom()}, {plot.right(), plot.bottom()}, {palette::ink, 0.6, {}});
 
-  double x = plot.x;
-  const double legend = plot.bottom() + 46.0;
-  const TextStyle style{.size = 7.5};
-  const auto entry = [&](const Rich& text, double glyph_width) {
-    svg.text({x + glyph_width + 3.0, legend + 2.7}, text, style);
-    x += glyph_width + 3.0 + width(text, style.size) + 12.0;
-  };
-  svg.rectangle({x, legend - 3.5, 9.0, 7.0}, palette::blue);
-  entry(plain("positive"), 9.0);
-  svg.rectangle({x, legend - 3.5, 9.0, 7.0}, palette::orange);
-  entry(plain("negative"), 9.0);
-  svg.rectangle({x, legend - 3.5, 9.0, 7.0}, palette::blue, 0.4);
-  svg.rectangle({x + 9.0, legend - 3.5, 9.0, 7.0}, palette::orange, 0.4);
-  entry(plain("below noise"), 18.0);
-  if (std::isfinite(noise)) {
-    svg.line({x, legend}, {x + 16.0, legend}, {palette::ink, 1.0, "4 2.5"});
-    entry(symbolic("SI_noise") + plain(" = " + decimals(noise, 4)), 16.0);
-  }
-  if (std::isfinite(rows.front().si_half_width)) {
-    svg.line({x, legend}, {x + 12.0, legend}, {palette::ink, 0.9, {}});
-    for (const double end : {x, x + 12.0})
-      svg.line({end, legend - 2.2}, {end, legend + 2.2}, {palette::ink, 0.9, {}});
-    entry(plain("95 %, repeats"), 12.0);
-  }
+  legend.draw(svg, {14.0, plot.bottom() + 46.0}, figure_width - 28.0);
   return svg.document(fmt::format("Sensitivity index: {}, {}", campaign.campaign.title, window.name));
 }
 

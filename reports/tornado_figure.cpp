@@ -6,6 +6,7 @@
 
 #include "reports/axis.hpp"
 #include "reports/figures.hpp"
+#include "reports/flow_legend.hpp"
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
 
@@ -15,7 +16,6 @@ namespace {
 using results::SensitivityRow;
 using results::Snapshot;
 
-constexpr double figure_width = 400.0;
 constexpr double row_pitch = 15.5;
 constexpr double bar_height = 9.5;
 constexpr double value_size = 7.0;
@@ -119,25 +119,25 @@ void draw_bar(Svg& svg, const Axis& axis, const Bar& bar, double y, double q_bas
             .halo = true});
 }
 
-void draw_legend(Svg& svg, double x, double y) {
-  const TextStyle style{.size = 7.5};
-  const auto entry = [&](const Rich& text, double glyph_width) {
-    svg.text({x + glyph_width + 3.0, y + 2.7}, text, style);
-    x += glyph_width + 3.0 + width(text, style.size) + 11.0;
+FlowLegend make_legend() {
+  FlowLegend legend;
+  const auto patch = [](std::string_view fill) {
+    return [fill](Svg& svg, Point at) { svg.rectangle({at.x, at.y - 3.5, 9.0, 7.0}, fill); };
   };
-  svg.rectangle({x, y - 3.5, 9.0, 7.0}, palette::blue);
-  entry(plain("to the lower bound"), 9.0);
-  svg.rectangle({x, y - 3.5, 9.0, 7.0}, palette::vermillion);
-  entry(plain("to the upper bound"), 9.0);
-  svg.line({x + 3.0, y - 4.5}, {x + 3.0, y + 4.5}, {palette::ink, 1.0, {}});
-  entry(plain("baseline"), 6.0);
-  svg.rectangle({x, y - 3.5, 9.0, 7.0}, palette::band);
-  entry(plain("noise of the baseline"), 9.0);
+  legend.add(9.0, plain("to the lower bound"), patch(palette::blue));
+  legend.add(9.0, plain("to the upper bound"), patch(palette::vermillion));
+  legend.add(6.0, plain("baseline"), [](Svg& svg, Point at) {
+    svg.line({at.x + 3.0, at.y - 4.5}, {at.x + 3.0, at.y + 4.5}, {palette::ink, 1.0, {}});
+  });
+  legend.add(9.0, plain("noise of the baseline"), patch(palette::band));
+  return legend;
 }
 
 }  // namespace
 
-std::optional<std::string> tornado_figure(const Snapshot& campaign, const results::WindowRow& window) {
+std::optional<std::string> tornado_figure(const Snapshot& campaign, const results::WindowRow& window,
+                                          Column column) {
+  const double figure_width = width_of(column);
   const std::vector<Bar> bars = make_bars(campaign, window.name);
   const results::RealizationRow* baseline = baseline_run(campaign);
   const auto base =
@@ -146,14 +146,17 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
       });
   if (bars.empty() || base == campaign.window_means.end()) return std::nullopt;
 
+  const FlowLegend legend = make_legend();
   double label_width = 0.0;
   for (const Bar& bar : bars) label_width = std::max(label_width, width(bar.label, label_size));
   const double lines = all_completed(campaign) ? 1.0 : 2.0;
-  const double height = 23.0 + 12.5 * lines + 8.0 + row_pitch * static_cast<double>(bars.size()) + 62.0;
+  const double height = 23.0 + 12.5 * lines + 8.0 + row_pitch * static_cast<double>(bars.size()) + 50.0 +
+                        legend.height(figure_width - 28.0);
   Svg svg(figure_width, height, "tornado");
-  const Rich what = plain(": ") + symbolic("average q_c ") +
-                    plain(fmt::format("over {}; baseline {} kPa", depth_range(window.from_m, window.to_m),
-                                      number(base->q_c_mean_kPa, 4)));
+  Rich what =
+      plain(": ") + symbolic("average q_c ") + plain("over " + depth_range(window.from_m, window.to_m));
+  if (column != Column::single)
+    what = what + plain(fmt::format("; baseline {} kPa", number(base->q_c_mean_kPa, 4)));
   const double top =
       draw_heading(svg, campaign, campaign.campaign.title, {window_line(window, what, figure_width)});
   const double left = 14.0 + label_width + 8.0;
@@ -161,7 +164,8 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
                  row_pitch * static_cast<double>(bars.size()) + 4.0};
   const Axis axis = make_axis(bars, base->q_c_mean_kPa, area.x, area.right());
 
-  draw_horizontal(svg, area, axis, Edge::bottom, symbolic("average q_c (kPa)"), 6);
+  draw_horizontal(svg, area, axis, Edge::bottom, symbolic("average q_c (kPa)"),
+                  column == Column::single ? 4 : 6);
   svg.rectangle(
       {axis(base->q_c_min_kPa), area.y, axis(base->q_c_max_kPa) - axis(base->q_c_min_kPa), area.height},
       palette::band, 0.8);
@@ -174,7 +178,7 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
     y += row_pitch;
   }
   svg.line({area.x, area.bottom()}, {area.right(), area.bottom()}, {palette::ink, 0.6, {}});
-  draw_legend(svg, 14.0, area.bottom() + 46.0);
+  legend.draw(svg, {14.0, area.bottom() + 46.0}, figure_width - 28.0);
   return svg.document(fmt::format("Tornado: {}, {}", campaign.campaign.title, window.name));
 }
 

@@ -88,6 +88,15 @@ double study_value(const StudyParameter& parameter, double place) {
   return parameter.lower + place * (parameter.upper - parameter.lower);
 }
 
+std::vector<std::size_t> rivals(const DiagnosisInput& input) {
+  constexpr std::size_t most = 3;
+  std::vector<std::size_t> others;
+  for (const std::size_t k : diagnosis::mechanisms_in_set(input.diagnosis))
+    if (k != input.diagnosis.best && k < input.diagnosis.with.size() && others.size() < most)
+      others.push_back(k);
+  return others;
+}
+
 std::vector<std::size_t> by_probability(const DiagnosisInput& input, std::size_t count) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -97,6 +97,10 @@ void check(const DiagnosisInput& input);
 /// A place between the bounds in study units.
 [[nodiscard]] double study_value(const StudyParameter& parameter, double place);
 
+/// Mechanisms that the recording does not tell from the best one: the rest of the answer's set, the most
+/// probable first, at most as many as the figures have colours for.
+[[nodiscard]] std::vector<std::size_t> rivals(const DiagnosisInput& input);
+
 /// The first `count` hypotheses, the most probable first.
 [[nodiscard]] std::vector<std::size_t> by_probability(const DiagnosisInput& input, std::size_t count);
 

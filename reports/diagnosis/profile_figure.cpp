@@ -28,6 +28,7 @@ double greatest(const DiagnosisInput& input) {
   take(input.baseline);
   take(input.diagnosis.recalibrated.curve);
   if (input.diagnosis.best) take(input.diagnosis.with_best.curve);
+  for (const std::size_t k : rivals(input)) take(input.diagnosis.with[k].curve);
   return most > 0.0 ? 1.08 * most : 1.0;
 }
 
@@ -53,6 +54,7 @@ void draw_legend(Svg& svg, const DiagnosisInput& input, const SoundingPanels& pa
     others.line(plain("with the best effect (emulator)"), mechanism_pen);
     if (std::ranges::any_of(input.soundings, [](const Sounding& s) { return s.solver.has_value(); }))
       others.line(plain("with the best effect (full solver)"), solver_pen);
+    add_rivals(others, input);
   }
   add_intervals(others, input);
 }
@@ -61,7 +63,7 @@ void draw_legend(Svg& svg, const DiagnosisInput& input, const SoundingPanels& pa
 
 std::string profile_figure(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
-  const SoundingPanels panels(input, 190.0, 380.0, 56.0);
+  const SoundingPanels panels(input, 190.0, 380.0, 56.0 + legend_of_rivals(input));
   Svg svg(panels.width(), panels.height(), "profile");
   const double most = greatest(input);
   const VectorXd null = in_kPa(d.recalibrated.curve);
@@ -74,6 +76,8 @@ std::string profile_figure(const DiagnosisInput& input) {
     draw_curve(svg, input.soundings[s].baseline, across, depth, baseline_pen);
     draw_curve(svg, input.soundings[s].recorded, across, depth, recorded_pen);
     svg.polyline(cell_line(input, s, null, across, depth), null_pen);
+    for (std::size_t k = 0; k < rivals(input).size(); ++k)
+      svg.polyline(cell_line(input, s, in_kPa(d.with[rivals(input)[k]].curve), across, depth), rival_pen(k));
     if (d.best) svg.polyline(cell_line(input, s, with, across, depth), mechanism_pen);
     if (input.soundings[s].solver) draw_curve(svg, *input.soundings[s].solver, across, depth, solver_pen);
     svg.end_clip();

@@ -19,13 +19,16 @@ const Pen solver_pen{palette::green, 1.0, "5 2"};
 
 struct Residuals {
   VectorXd before, after, solver;  // [%]; empty where there is none
+  std::vector<VectorXd> rivals;    // [%]
   VectorXd noise;                  // [ln q_c]
 };
 
 Residuals residuals_of(const DiagnosisInput& input) {
-  Residuals r{percent_above(input.recorded, input.diagnosis.recalibrated.curve), {}, {}, {}};
+  Residuals r{percent_above(input.recorded, input.diagnosis.recalibrated.curve), {}, {}, {}, {}};
   if (input.diagnosis.best) r.after = percent_above(input.recorded, input.diagnosis.with_best.curve);
   if (const auto solver = solver_in_cells(input)) r.solver = percent_above(input.recorded, *solver);
+  for (const std::size_t k : rivals(input))
+    r.rivals.push_back(percent_above(input.recorded, input.diagnosis.with[k].curve));
   r.noise = noise_deviation(input);
   return r;
 }
@@ -58,7 +61,7 @@ void draw_noise(Svg& svg, const DiagnosisInput& input, std::size_t sounding, con
 }  // namespace
 
 std::string residual_figure(const DiagnosisInput& input) {
-  const SoundingPanels panels(input, 190.0, 320.0, 44.0);
+  const SoundingPanels panels(input, 190.0, 320.0, 44.0 + legend_of_rivals(input));
   Svg svg(panels.width(), panels.height(), "residual");
   const Residuals r = residuals_of(input);
   const Range range = extent(r);
@@ -70,6 +73,8 @@ std::string residual_figure(const DiagnosisInput& input) {
     draw_noise(svg, input, s, r.noise, across, depth);
     svg.line({across(0.0), box.y}, {across(0.0), box.bottom()}, {palette::ink, 0.6, {}});
     svg.polyline(cell_line(input, s, r.before, across, depth), before_pen);
+    for (std::size_t k = 0; k < r.rivals.size(); ++k)
+      svg.polyline(cell_line(input, s, r.rivals[k], across, depth), rival_pen(k));
     if (r.after.size() > 0) svg.polyline(cell_line(input, s, r.after, across, depth), after_pen);
     if (r.solver.size() > 0) svg.polyline(cell_line(input, s, r.solver, across, depth), solver_pen);
     svg.end_clip();
@@ -82,6 +87,7 @@ std::string residual_figure(const DiagnosisInput& input) {
   curves.line(plain("before: parameters refitted"), before_pen);
   if (r.after.size() > 0) curves.line(plain("after: with the best effect (emulator)"), after_pen);
   if (r.solver.size() > 0) curves.line(plain("after: with the best effect (full solver)"), solver_pen);
+  add_rivals(curves, input);
   Legend fills(svg, 12.0 + half, panels.legend_top(), half - 6.0);
   fills.patch(plain("± 2 standard deviations of noise"), noise_fill);
   add_intervals(fills, input);

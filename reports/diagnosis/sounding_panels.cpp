@@ -1,6 +1,7 @@
 #include "reports/diagnosis/sounding_panels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -84,6 +85,21 @@ std::vector<Point> cell_line(const DiagnosisInput& input, std::size_t sounding, 
     last = &cell;
   }
   return points;
+}
+
+Pen rival_pen(std::size_t k) {
+  constexpr std::array colors = {palette::orange, palette::purple, palette::sky};
+  return {colors[k], 0.9, "3 1.5"};
+}
+
+void add_rivals(Legend& legend, const DiagnosisInput& input) {
+  const std::vector<std::size_t> others = rivals(input);
+  for (std::size_t k = 0; k < others.size(); ++k)
+    legend.line(plain("or with: " + title_of(input, others[k])), rival_pen(k));
+}
+
+double legend_of_rivals(const DiagnosisInput& input) {
+  return Legend::pitch * static_cast<double>(rivals(input).size());
 }
 
 void add_intervals(Legend& legend, const DiagnosisInput& input) {

@@ -34,6 +34,11 @@ class SoundingPanels {
 [[nodiscard]] std::vector<Point> cell_line(const DiagnosisInput& input, std::size_t sounding,
                                            const VectorXd& values, const Axis& across, const Axis& depth);
 
+/// Line of the k-th rival of the best effect; its entries of a legend, and the height [pt] that they take.
+[[nodiscard]] Pen rival_pen(std::size_t k);
+void add_rivals(Legend& legend, const DiagnosisInput& input);
+[[nodiscard]] double legend_of_rivals(const DiagnosisInput& input);
+
 /// Entries of a legend for the shaded intervals that there are.
 void add_intervals(Legend& legend, const DiagnosisInput& input);
 

@@ -53,7 +53,8 @@ std::string yes_or_no(std::optional<bool> answer) { return answer ? (*answer ? "
 
 std::string scatter_of(const results::RepeatNoiseRow& noise) {
   return fmt::format(
-      "{} runs of the baseline with shifted material points average {} kPa and scatter by {} kPa; an index of two "
+      "{} runs of the baseline with shifted material points average {} kPa and scatter by {} kPa; an index "
+      "of two "
       "such runs is known to ±{} (95 %).\n\n",
       noise.runs, number(noise.q_c_mean_kPa, 4), number(noise.q_c_deviation_kPa, 3),
       decimals(noise.si_half_width, 3));

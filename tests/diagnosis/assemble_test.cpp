@@ -120,5 +120,24 @@ TEST_F(Assembling, RecordingsThatDoNotFitAreErrors) {
   EXPECT_NE(message().find("10 are needed"), std::string::npos);
 }
 
+// A push not made yet is its baseline; what is known of f_s is a third of what is known of q_c.
+TEST_F(Assembling, UnmeasuredPushesAreTheirBaselines) {
+  for (results::CurveRow& curve : soundings[0].campaign.curves)
+    for (const double q_c : curve.profile.q_c) curve.profile.f_s.push_back(0.01 * q_c * q_c / 1e6);
+  soundings[0].recording.readings.clear();
+  const NoiseModel noise{Kernel::ar1, 0.02, 0.01};
+  const Problem tip = assemble_unmeasured(request, soundings, Measured::q_c, noise).problem;
+  const Problem sleeve = assemble_unmeasured(request, soundings, Measured::f_s, noise).problem;
+  EXPECT_EQ(tip.recorded, tip.baseline);
+  EXPECT_EQ(sleeve.recorded, sleeve.baseline);
+  EXPECT_DOUBLE_EQ(tip.measurement->deviation, 0.02);
+  EXPECT_DOUBLE_EQ(sleeve.measurement->deviation, 0.06);
+  ASSERT_EQ(tip.mechanisms.size(), 2U);
+  // f_s grows as the square of q_c here: every effect counts double.
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_NEAR((sleeve.mechanisms[k].delta - 2.0 * tip.mechanisms[k].delta).cwiseAbs().maxCoeff(), 0.0,
+                1e-4);
+}
+
 }  // namespace
 }  // namespace cpt::diagnosis

@@ -78,5 +78,15 @@ TEST(Design, WhatIsKnownIsNoLongerUncertain) {
   EXPECT_NE(plain.study.database, known.study.database);
 }
 
+TEST(Design, WhatIsKnownHoldsInTheMechanismsRunsToo) {
+  const SoundingStudy first = made("fixed = { \"previous_push.share\" = 0 }\n");
+  for (const parameters::Realization& realization : parameters::one_at_a_time(first.study))
+    EXPECT_FALSE(parameters::make_setup(first.study, realization).mechanisms.previous_push.on());
+  const SoundingStudy second = made();
+  EXPECT_TRUE(std::ranges::any_of(parameters::one_at_a_time(second.study), [&](const auto& realization) {
+    return parameters::make_setup(second.study, realization).mechanisms.previous_push.on();
+  }));
+}
+
 }  // namespace
 }  // namespace cpt::diagnosis

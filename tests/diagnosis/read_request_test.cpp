@@ -37,6 +37,21 @@ TEST(ReadRequest, DefaultsAndWhatIsWritten) {
   EXPECT_EQ(full.soundings[0].changes[0].value, 60.0);
 }
 
+TEST(ReadRequest, CandidatesAreSoundingsWithoutRecording) {
+  const std::string study = "study = \"sand.toml\"\n" + sounding;
+  const std::string candidate =
+      "[[candidates]]\nname = \"deeper\"\nfrom_m = 0.04\nto_m = 0.25\nfixed = { \"initial.sigma_v0_kPa\" = "
+      "90 }\n";
+  const Request request = request_of(study + candidate);
+  ASSERT_EQ(request.candidates.size(), 1U);
+  EXPECT_EQ(request.candidates[0].name, "deeper");
+  EXPECT_EQ(request.candidates[0].changes.size(), 1U);
+  EXPECT_EQ(request.soundings.size(), 1U);
+  const auto errors = errors_of(study + candidate + "recording = \"a.csv\"\n");
+  ASSERT_FALSE(errors.empty());
+  EXPECT_EQ(errors.front().key, "candidates.recording");
+}
+
 TEST(ReadRequest, NamesTheStudyBesideItself) {
   EXPECT_EQ(study_of_request("study = \"../s/sand.toml\"\n", "/requests/a/d.toml"), "/requests/s/sand.toml");
   EXPECT_TRUE(study_of_request("title = \"no study\"\n", "/d.toml").empty());

@@ -125,5 +125,30 @@ TEST_F(Figures, LongTextsAreCutAtWholeCharacters) {
   EXPECT_EQ(shortened("short", 400.0, 8.0), "short");
 }
 
+TEST_F(Figures, AreAsWideAsTheColumn) {
+  const auto campaign = run_made_up(sand_study(folder));
+  for (const Column column : {Column::single, Column::one_and_half, Column::full})
+    for (const auto& svg : {tornado_figure(campaign, campaign.windows[0], column),
+                            sensitivity_figure(campaign, campaign.windows[0], column),
+                            profiles_figure(campaign, column), baseline_figure(campaign, column)}) {
+      const std::string box = "viewBox=\"0 0 ";
+      const auto at = svg.value().find(box);
+      ASSERT_NE(at, std::string::npos);
+      EXPECT_NEAR(std::stod(svg->substr(at + box.size())), width_of(column), 0.01);
+    }
+}
+
+TEST_F(Figures, RepeatsShowAsIntervals) {
+  auto study = sand_study(folder);
+  const auto without = run_made_up(study);
+  EXPECT_FALSE(has(sensitivity_figure(without, without.windows[0]).value(), "95 %, repeats"));
+  for (int k = 1; k <= 4; ++k)
+    study.points.push_back(
+        {"repeat " + std::to_string(k), {{solver::find_quantity("numerics.point_shift"), 0.1 * k}}, true});
+  study.database = folder / "repeats.sqlite";
+  const auto campaign = run_made_up(study);
+  EXPECT_TRUE(has(sensitivity_figure(campaign, campaign.windows[0]).value(), "95 %, repeats"));
+}
+
 }  // namespace
 }  // namespace cpt::reports

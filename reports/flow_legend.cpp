@@ -1,0 +1,42 @@
+#include "reports/flow_legend.hpp"
+
+#include <utility>
+
+namespace cpt::reports {
+namespace {
+
+constexpr double text_size = 7.5, glyph_gap = 3.0, entry_gap = 11.0, row_pitch = 12.0;
+
+}  // namespace
+
+void FlowLegend::add(double glyph_width, const Rich& text, std::function<void(Svg&, Point)> draw) {
+  entries_.push_back({glyph_width, text, std::move(draw)});
+}
+
+std::vector<Point> FlowLegend::places(double room) const {
+  std::vector<Point> places;
+  Point at{0.0, 0.0};
+  for (const Entry& entry : entries_) {
+    const double wide = entry.glyph_width + glyph_gap + width(entry.text, text_size);
+    if (at.x > 0.0 && at.x + wide > room) at = {0.0, at.y + row_pitch};
+    places.push_back(at);
+    at.x += wide + entry_gap;
+  }
+  return places;
+}
+
+double FlowLegend::height(double room) const {
+  return entries_.empty() ? 0.0 : places(room).back().y + row_pitch;
+}
+
+void FlowLegend::draw(Svg& svg, Point at, double room) const {
+  const std::vector<Point> all = places(room);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Point here{at.x + all[k].x, at.y + all[k].y};
+    entries_[k].draw(svg, here);
+    svg.text({here.x + entries_[k].glyph_width + glyph_gap, here.y + 2.7}, entries_[k].text,
+             {.size = text_size});
+  }
+}
+
+}  // namespace cpt::reports

@@ -1,0 +1,32 @@
+// A legend whose entries follow each other and go on in the next row where one is full.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "reports/svg.hpp"
+
+namespace cpt::reports {
+
+class FlowLegend {
+ public:
+  /// `draw` puts the glyph with its left end, at half its height, where it is told.
+  void add(double glyph_width, const Rich& text, std::function<void(Svg&, Point)> draw);
+
+  /// Height of all rows in so much room [pt].
+  [[nodiscard]] double height(double room) const;
+  /// From the middle of the first row's left end.
+  void draw(Svg& svg, Point at, double room) const;
+
+ private:
+  struct Entry {
+    double glyph_width;
+    Rich text;
+    std::function<void(Svg&, Point)> draw;
+  };
+  /// Where each entry goes, from the first row's left end.
+  [[nodiscard]] std::vector<Point> places(double room) const;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace cpt::reports
