@@ -127,7 +127,7 @@ TEST(Examples, WindowsOfThePaper) {
     EXPECT_EQ(study.windows[0].to, 0.5255);
   }
   const Study layered = example("paper/layered.toml");
-  ASSERT_EQ(layered.windows.size(), 2u);
+  ASSERT_EQ(layered.windows.size(), 3u);
   EXPECT_EQ(layered.windows[0].kind, Window::Kind::peak);
   EXPECT_EQ(layered.windows[0].width, 0.0023);
   EXPECT_LT(layered.windows[0].from, 0.3082);
