@@ -17,6 +17,7 @@ void add_run(CLI::App& program, Action& action);
 void add_rerun(CLI::App& program, Action& action);
 void add_push(CLI::App& program, Action& action);
 void add_query(CLI::App& program, Action& action);
+void add_compare(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_element(CLI::App& program, Action& action);
 void add_list(CLI::App& program, Action& action);

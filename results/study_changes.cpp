@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <sstream>
 #include <string_view>
 
 #include "results/ledger_rows.hpp"
+#include "results/setup_text.hpp"
 #include "solver/quantities.hpp"
 
 namespace cpt::results {
@@ -16,12 +16,7 @@ namespace {
 using Content = std::map<std::string, std::string>;
 
 void add_setup(Content& content, const std::string& canonical_text) {
-  std::istringstream lines(canonical_text);
-  for (std::string line; std::getline(lines, line);)
-    if (const auto equals = line.find(" = "); equals != std::string::npos) {
-      std::string& value = content[line.substr(0, equals)];  // layers and zones have several lines
-      value += (value.empty() ? "" : "; ") + line.substr(equals + 3);
-    }
+  content.merge(setup_by_name(canonical_text));
 }
 
 void add_bounds(Content& content, const std::string& name, const std::string& lower,

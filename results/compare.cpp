@@ -1,0 +1,111 @@
+#include "results/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "results/setup_text.hpp"
+
+namespace cpt::results {
+namespace {
+
+using Pair = std::pair<std::string, std::string>;  // of a and of b
+
+Cell number(double value) { return std::isfinite(value) ? Cell(value) : Cell(std::monostate{}); }
+
+/// One run as it can be found in another campaign.
+using Key = std::tuple<std::string, std::string, std::string, std::string>;  // window, parameter, side, value
+
+std::map<Key, WindowMeanRow> means_of(const Snapshot& s) {
+  std::map<Key, WindowMeanRow> means;
+  for (const WindowMeanRow& mean : s.window_means)
+    for (const RealizationRow& run : s.realizations)
+      if (run.id == mean.realization) means[{mean.window, run.parameter, run.side, run.value_text}] = mean;
+  return means;
+}
+
+/// Keys of both, those of a in its order, then what b has alone.
+std::vector<Key> keys_of(const Snapshot& a, const Snapshot& b) {
+  std::vector<Key> keys;
+  std::set<Key> seen;
+  for (const Snapshot* s : {&a, &b})
+    for (const WindowRow& window : s->windows)
+      for (const RealizationRow& run : s->realizations)
+        if (Key key{window.name, run.parameter, run.side, run.value_text}; seen.insert(key).second)
+          keys.push_back(std::move(key));
+  return keys;
+}
+
+const SensitivityRow* index_of(const Snapshot& s, const std::string& window, const std::string& parameter) {
+  const auto row = std::ranges::find_if(
+      s.sensitivity, [&](const SensitivityRow& r) { return r.window == window && r.parameter == parameter; });
+  return row == s.sensitivity.end() ? nullptr : &*row;
+}
+
+}  // namespace
+
+Table compare_settings(const Snapshot& a, const Snapshot& b) {
+  std::map<std::string, Pair> all;
+  for (const auto& [name, value] : setup_by_name(a.campaign.baseline_setup)) all[name].first = value;
+  for (const auto& [name, value] : setup_by_name(b.campaign.baseline_setup)) all[name].second = value;
+  for (const ParameterRow& p : a.parameters)
+    all[p.name + ", bounds"].first = p.lower_text + " to " + p.upper_text;
+  for (const ParameterRow& p : b.parameters)
+    all[p.name + ", bounds"].second = p.lower_text + " to " + p.upper_text;
+  all["solver version"] = {a.campaign.solver_version, b.campaign.solver_version};
+  Table table{{"setting", "a", "b"}, {}};
+  for (const auto& [name, values] : all)
+    if (values.first != values.second) table.rows.push_back({name, values.first, values.second});
+  return table;
+}
+
+Table compare_means(const Snapshot& a, const Snapshot& b) {
+  const auto of_a = means_of(a), of_b = means_of(b);
+  Table table{{"window", "parameter", "side", "value", "a_kPa", "b_kPa", "change", "note"}, {}};
+  for (const Key& key : keys_of(a, b)) {
+    const auto in_a = of_a.find(key), in_b = of_b.find(key);
+    if (in_a == of_a.end() && in_b == of_b.end()) continue;  // failed or not run in both
+    std::string note;
+    double q_a = NAN, q_b = NAN;
+    if (in_a != of_a.end()) q_a = in_a->second.q_c_mean_kPa;
+    if (in_b != of_b.end()) q_b = in_b->second.q_c_mean_kPa;
+    if (in_a == of_a.end())
+      note = "only in b";
+    else if (in_b == of_b.end())
+      note = "only in a";
+    else if (in_a->second.from_m != in_b->second.from_m || in_a->second.to_m != in_b->second.to_m)
+      note = fmt::format("windows differ: {:.4f} to {:.4f} m, {:.4f} to {:.4f} m", in_a->second.from_m,
+                         in_a->second.to_m, in_b->second.from_m, in_b->second.to_m);
+    const auto& [window, parameter, side, value] = key;
+    table.rows.push_back(
+        {window, parameter, side, value, number(q_a), number(q_b), number(q_b / q_a - 1.0), note});
+  }
+  return table;
+}
+
+Table compare_sensitivity(const Snapshot& a, const Snapshot& b) {
+  Table table{{"window", "parameter", "si_a", "si_b", "noise_a", "noise_b", "note"}, {}};
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const Snapshot* s : {&a, &b})
+    for (const SensitivityRow& row : s->sensitivity) {
+      if (!seen.insert({row.window, row.parameter}).second) continue;
+      const SensitivityRow* in_a = index_of(a, row.window, row.parameter);
+      const SensitivityRow* in_b = index_of(b, row.window, row.parameter);
+      const auto value = [](const SensitivityRow* r, double SensitivityRow::*member) {
+        return r == nullptr ? Cell(std::monostate{}) : number(r->*member);
+      };
+      table.rows.push_back({row.window, row.parameter, value(in_a, &SensitivityRow::si),
+                            value(in_b, &SensitivityRow::si), value(in_a, &SensitivityRow::si_noise),
+                            value(in_b, &SensitivityRow::si_noise),
+                            std::string(in_a == nullptr   ? "only in b"
+                                        : in_b == nullptr ? "only in a"
+                                                          : "")});
+    }
+  return table;
+}
+
+}  // namespace cpt::results

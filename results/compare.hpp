@@ -1,0 +1,21 @@
+// Two campaigns side by side: what was set, what came out.
+#pragma once
+
+#include "results/snapshot.hpp"
+#include "results/table_format.hpp"
+
+namespace cpt::results {
+
+/// Every input of the baselines, and every bound, that is not the same in both: `setting`, `a`, `b` (empty
+/// where one has none).
+[[nodiscard]] Table compare_settings(const Snapshot& a, const Snapshot& b);
+
+/// Averages of q_c of realizations that change the same input to the same value, by window: `window`,
+/// `parameter`, `side`, `value`, `a_kPa`, `b_kPa`, `change` = b / a - 1, `note`: who lacks it, or that the
+/// windows lie apart.
+[[nodiscard]] Table compare_means(const Snapshot& a, const Snapshot& b);
+
+/// Sensitivity indices: `window`, `parameter`, `si_a`, `si_b`, `noise_a`, `noise_b`, `note`.
+[[nodiscard]] Table compare_sensitivity(const Snapshot& a, const Snapshot& b);
+
+}  // namespace cpt::results

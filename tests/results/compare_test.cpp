@@ -1,0 +1,66 @@
+#include "results/compare.hpp"
+
+#include "tests/results/campaign_fixture.hpp"
+
+namespace cpt::results {
+namespace {
+
+class Compare : public ScratchFolder {
+ protected:
+  /// A finished campaign whose q_c is everywhere this high [Pa], but at H = 75, where it is twice that.
+  Snapshot run(const std::string& name, double level, double upper_H = 75.0, double sigma_v0 = 50.0e3) {
+    parameters::Study study = sand_study(folder);
+    study.name = name;
+    study.database = folder / (name + ".sqlite");
+    study.rows[0] = row("sand.H", 20, 25, upper_H);
+    study.baseline.initial.sigma_v0 = sigma_v0;
+    Ledger ledger = open(study);
+    for (const int id : ledger.pending()) ledger.record(id, completed(id == 3 ? 2.0 * level : level));
+    return read_snapshot(study.database);
+  }
+  static std::string text(const Cell& cell) { return std::get<std::string>(cell); }
+  static double number(const Cell& cell) { return std::get<double>(cell); }
+};
+
+TEST_F(Compare, MeansOfTheSameRealizationsStandSideBySide) {
+  const Table table = compare_means(run("a", 4e6), run("b", 5e6));
+  ASSERT_EQ(table.rows.size(), 16U);  // eight realizations in two windows
+  for (const auto& cells : table.rows) {
+    EXPECT_NEAR(number(cells[6]), 0.25, 1e-12);
+    EXPECT_NEAR(number(cells[5]) / number(cells[4]), 1.25, 1e-12);
+    EXPECT_EQ(text(cells[7]), "");
+  }
+  EXPECT_EQ(text(table.rows[0][2]), "baseline");
+}
+
+TEST_F(Compare, WhatOneLacksIsSaid) {
+  const Table table = compare_means(run("a", 4e6), run("b", 4e6, 60.0));
+  std::map<std::string, std::string> notes;
+  for (const auto& cells : table.rows)
+    if (text(cells[0]) == "deep" && text(cells[1]) == "sand.H" && text(cells[2]) == "upper")
+      notes[text(cells[3])] = text(cells[7]);
+  EXPECT_EQ(notes, (std::map<std::string, std::string>{{"75", "only in a"}, {"60", "only in b"}}));
+}
+
+TEST_F(Compare, IndicesAndTheirNoise) {
+  const Snapshot a = run("a", 4e6), b = run("b", 5e6);
+  const Table table = compare_sensitivity(a, b);
+  ASSERT_EQ(table.rows.size(), a.sensitivity.size());
+  EXPECT_EQ(text(table.rows[0][1]), "sand.H");
+  EXPECT_NEAR(number(table.rows[0][2]), 0.5, 1e-12);
+  EXPECT_NEAR(number(table.rows[0][2]), number(table.rows[0][3]), 1e-12);
+  EXPECT_NEAR(number(table.rows[0][4]), a.sensitivity[0].si_noise, 1e-15);
+}
+
+TEST_F(Compare, SettingsThatDiffer) {
+  const Snapshot a = run("a", 4e6), b = run("b", 4e6, 60.0, 60.0e3);
+  const Table table = compare_settings(a, b);
+  ASSERT_EQ(table.rows.size(), 2U) << format(table, Format::table);
+  EXPECT_EQ(text(table.rows[0][0]), "initial.sigma_v0_kPa");
+  EXPECT_EQ(text(table.rows[1][0]), "sand.H, bounds");
+  EXPECT_EQ(text(table.rows[1][2]), "20 to 60");
+  EXPECT_TRUE(compare_settings(a, a).rows.empty());
+}
+
+}  // namespace
+}  // namespace cpt::results
