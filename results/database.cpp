@@ -40,6 +40,22 @@ constexpr int busy_timeout_ms = 10'000;
   }
 }
 
+constexpr const char* any_read = "SELECT count(*) FROM sqlite_schema";
+
+/// A writer that was killed may leave a journal which only a connection that may write can play back.
+bool waits_for_a_writer(sqlite3* connection) {
+  return (sqlite3_exec(connection, any_read, nullptr, nullptr, nullptr) & 0xff) == SQLITE_READONLY;
+}
+
+void play_back_journal(const std::filesystem::path& file) {
+  sqlite3* connection = nullptr;
+  if (sqlite3_open_v2(file.c_str(), &connection, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK) {
+    sqlite3_busy_timeout(connection, busy_timeout_ms);
+    sqlite3_exec(connection, any_read, nullptr, nullptr, nullptr);
+  }
+  sqlite3_close_v2(connection);
+}
+
 }  // namespace
 
 void fail_damaged(const std::filesystem::path& file, std::string_view detail) {
@@ -174,10 +190,11 @@ Database::Database(const std::filesystem::path& file, Mode mode) : file_(file) {
   try {
     if (code != SQLITE_OK) fail(file.string(), connection_, code);
     sqlite3_busy_timeout(connection_, busy_timeout_ms);
+    if (mode == Mode::read_only && waits_for_a_writer(connection_)) play_back_journal(file);
     // SQLite then also reads a file that is shorter than it should be, or has a broken definition.
     if (mode == Mode::salvage) execute("PRAGMA writable_schema = ON");
     execute("PRAGMA foreign_keys = ON; PRAGMA trusted_schema = OFF");
-    (void)integer("SELECT count(*) FROM sqlite_schema");  // says now if this is no database
+    (void)integer(any_read);  // says now if this is no database
   } catch (...) {
     sqlite3_close_v2(connection_);
     throw;

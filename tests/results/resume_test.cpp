@@ -353,5 +353,23 @@ TEST_F(Resume, AnOlderLedgerIsReadAndGoesOn) {
   EXPECT_FALSE(database.prepare("PRAGMA foreign_key_check").step());
 }
 
+// What was half written lies in a journal that a reader may not play back; it is played back for the reader.
+TEST_F(Resume, AReaderFollowsAWriterKilledAmidAWrite) {
+  {
+    Ledger ledger = open(study);
+    for (int id = 1; id <= 8; ++id) ledger.record(id, completed(1e6 * id));
+  }
+  const std::string before = dump_without_times(study.database);
+  in_killed_process([&] {
+    const Database database(study.database, Database::Mode::read_write);
+    database.execute(
+        "PRAGMA journal_mode = DELETE; PRAGMA cache_size = 1; BEGIN IMMEDIATE; UPDATE curve SET depth_m = "
+        "zeroblob(6400)");
+    kill(getpid(), SIGKILL);  // before the connection is closed
+  });
+  ASSERT_TRUE(std::filesystem::exists(study.database.string() + "-journal"));
+  EXPECT_EQ(dump_without_times(study.database), before);
+}
+
 }  // namespace
 }  // namespace cpt::results
