@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "results/effects.hpp"
 #include "results/snapshot.hpp"
 
 namespace cpt::reports {
@@ -16,8 +17,9 @@ struct NamedFigure {
   std::optional<std::string> svg;  ///< nothing where the results it needs are not there
 };
 
-/// Tornado and indices of every window, profiles, baseline.
-[[nodiscard]] std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign);
+/// Tornado, indices and the design's effects (none without a design) of every window, profiles, baseline.
+[[nodiscard]] std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign,
+                                                        const results::Effects& effects = {});
 
 /// Writes NAME.svg and NAME.png and returns them; without an SVG it removes those of an earlier report.
 /// Throws results::Error if a file cannot be written.

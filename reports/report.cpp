@@ -10,7 +10,8 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
                                                 const std::filesystem::path& directory, PageContext context) {
   make_directory(directory);
   std::vector<std::filesystem::path> files = {directory / "index.html"};
-  const std::vector<NamedFigure> figures = campaign_figures(campaign);
+  context.effects = results::design_effects(campaign);
+  const std::vector<NamedFigure> figures = campaign_figures(campaign, context.effects);
   for (const NamedFigure& figure : figures)
     for (const std::filesystem::path& file : write_figure(figure, directory)) files.push_back(file);
 
@@ -22,10 +23,12 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
   table("realizations.csv", realization_table(campaign));
   table("window_means.csv", window_mean_table(campaign));
   table("curves.csv", curve_table(campaign));
+  if (!context.effects.rows.empty()) table("effects.csv", results::effects_table(context.effects));
   files.push_back(directory / "report.json");
-  write_text(files.back(), report_json(campaign));
+  write_text(files.back(), report_json(campaign, context.effects));
   files.push_back(directory / "report.pdf");
-  write_pdf(supplement(campaign, figures), campaign.campaign.title, campaign.campaign.created, files.back());
+  write_pdf(supplement(campaign, figures, context.effects), campaign.campaign.title,
+            campaign.campaign.created, files.back());
   for (auto file = files.begin() + 1; file != files.end(); ++file)
     context.files.push_back(file->filename().string());
   write_text(files.front(), page(campaign, context));

@@ -187,8 +187,10 @@ Effects design_effects(const Snapshot& s) {
     return effects;
   }
   const Study& study = std::get<Study>(parsed);
-  effects.kind = study.design.kind;
   const std::vector<const RealizationRow*> runs = stored_runs(study, s);
+  // The runs of a diagnosis are not those that its study's text asks for.
+  if (std::all_of(runs.begin(), runs.end(), [](const auto* run) { return run == nullptr; })) return effects;
+  effects.design = to_string(study.design.kind);
   for (const WindowRow& window : s.windows) WindowEffects(study, s, window, runs, effects.rows).add();
   return effects;
 }

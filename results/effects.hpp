@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "parameters/study.hpp"
 #include "results/snapshot.hpp"
 #include "results/table_format.hpp"
 
@@ -23,14 +22,14 @@ struct EffectRow {
 };
 
 struct Effects {
-  parameters::Design::Kind kind = parameters::Design::Kind::one_at_a_time;
-  std::vector<EffectRow> rows;  ///< by window, quantity, then parameter in the design's order
-  std::string problem;          ///< why the stored study cannot be read; empty if it can
+  std::string design = "one_at_a_time";  ///< its kind
+  std::vector<EffectRow> rows;           ///< by window, quantity, then parameter in the design's order
+  std::string problem;                   ///< why the stored study cannot be read; empty if it can
 };
 
 /// The design is that of the study's text in the ledger. No rows for a study without [design], whose indices
-/// are Snapshot::sensitivity. Runs that failed or have not been made are left out as each estimator says
-/// (parameters/designs/), and counted.
+/// are Snapshot::sensitivity, and for a ledger that holds none of the design's runs. Runs that failed or have
+/// not been made are left out as each estimator says (parameters/designs/), and counted.
 [[nodiscard]] Effects design_effects(const Snapshot& campaign);
 
 [[nodiscard]] Table effects_table(const Effects& effects);

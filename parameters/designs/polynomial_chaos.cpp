@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -14,9 +15,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double norm = 0.75;       // of the hyperbolic truncation
-constexpr int largest_degree = 20;  // [-]
-constexpr int runs_per_term = 2;
+constexpr double norm = 0.75;                               // of the hyperbolic truncation
+constexpr int largest_degree = 20;                          // [-]
+constexpr std::size_t runs_per_term = 2, most_terms = 200;  // the bootstrap's cost grows with their square
 constexpr int bootstrap_samples = 400;
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
@@ -137,8 +138,9 @@ ChaosIndices polynomial_chaos(const MatrixXd& all_places, const std::vector<bool
 
   double least_error = std::numeric_limits<double>::infinity();
   std::vector<Term> terms;
+  const std::size_t affordable = std::min(most_terms, completed.size() / runs_per_term);
   for (int p = 1; p <= largest_degree; ++p) {
-    const auto candidate = hyperbolic_terms(p, two_valued, completed.size() / runs_per_term);
+    const auto candidate = hyperbolic_terms(p, two_valued, affordable);
     if (candidate.empty()) break;
     const auto error = relative_error(basis(places, two_valued, candidate), y);
     if (!error || *error >= least_error) continue;

@@ -94,7 +94,7 @@ TEST_F(EffectsOf, AFailedCornerLeavesItsPairUndefined) {
 
 TEST_F(EffectsOf, MorrisGivesWhatABoundToBoundChangeDoes) {
   const Effects effects = design_effects(run("[design]\nkind = \"morris\"\ntrajectories = 8\n"));
-  EXPECT_EQ(effects.kind, parameters::Design::Kind::morris);
+  EXPECT_EQ(effects.design, "morris");
   ASSERT_EQ(effects.rows.size(), 9U);
   // The choice from flexible to rigid, without interaction.
   EXPECT_NEAR(row(effects, "mu", "chamber.wall").value, 50.0 * shape(), 1e-6);
@@ -177,6 +177,8 @@ TEST_F(EffectsOf, RowsThatAreOthersDoNotCount) {
   for (RealizationRow& realization : snapshot.realizations)
     if (realization.parameter == "latin hypercube 4") realization.value_text = "sand.nu = 0.25";
   EXPECT_EQ(row(design_effects(snapshot), "Q2", "").dropped, 1);
+  for (RealizationRow& realization : snapshot.realizations) realization.value_text = "other";
+  EXPECT_TRUE(design_effects(snapshot).rows.empty());
 }
 
 TEST_F(EffectsOf, QueryPrintsThem) {

@@ -214,8 +214,7 @@ TEST_F(Resume, ChangedViewsAreMadeAnew) {
 
 TEST_F(Resume, RunsOfProgramsWithoutChecksumsAreKept) {
   { open(study).record(1, completed(1e6)); }
-  Database(study.database, Database::Mode::read_write)
-      .execute("DROP TABLE checksum; PRAGMA user_version = 2");
+  Database(study.database, Database::Mode::read_write).execute("DROP TABLE checksum; PRAGMA user_version = 2");
   EXPECT_EQ(open(study).opened().kept, 1);
 }
 
