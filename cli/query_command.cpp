@@ -42,6 +42,9 @@ int query(const Arguments& arguments) {
   const std::filesystem::path database = database_of(arguments.source);
   const results::Table table =
       sql ? results::query_sql(database, arguments.sql) : results::query(database, arguments.what);
+  if (arguments.what == "effects" && table.rows.empty())
+    throw BadInput(
+        "the study has no [design]; of one-at-a-time runs, campaign query STUDY sensitivity tells");
   fmt::print("{}", results::format(table, arguments.format));
   return all_well;
 }

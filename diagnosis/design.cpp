@@ -136,6 +136,7 @@ SoundingStudy sounding_study(const parameters::Study& study, const SoundingReque
   own.curves = folder / (own.name + ".h5");
   own.report_dir = folder / (own.name + "-report");
   own.points.clear();
+  own.design = {};
 
   Design& design = made.design;
   design.first_repeat = 0;

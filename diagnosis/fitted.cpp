@@ -67,6 +67,7 @@ parameters::Study fitted_study(const Request& request, const SoundingStudy& soun
   study.curves = folder / (study.name + ".h5");
   study.report_dir = request.report_dir;
   study.points.clear();
+  study.design = {};
   const auto soil_at = [&](const VectorXd& place) { return changes_at(place, assembled.problem, study); };
   if (request.confirm > 0 && !soil_at(diagnosis.recalibrated.place).empty())
     study.points.push_back({recalibrated_point, soil_at(diagnosis.recalibrated.place)});

@@ -49,13 +49,23 @@ void check_physics(const Study& study, const QuantitySections& sections, const S
     return std::any_of(of_baseline.begin(), of_baseline.end(),
                        [&](const solver::Problem& other) { return other.quantity == problem.quantity; });
   };
+  bool design_told = false;
   for (const Realization& realization : one_at_a_time(study)) {
     if (realization.side == Side::baseline) continue;
     if (realization.point >= 0) {
-      for (const solver::Problem& problem : solver::problems(make_setup(study, realization)))
-        if (!in_baseline(problem) && !involves_doubtful(problem, sections))
-          errors.add(places.points[static_cast<std::size_t>(realization.point)],
-                     fmt::format("points.{}", parameter_name(study, realization)), problem.message);
+      const auto point = static_cast<std::size_t>(realization.point);
+      const bool of_design = point - study.design.first_point < study.design.points;
+      for (const solver::Problem& problem : solver::problems(make_setup(study, realization))) {
+        if (in_baseline(problem) || involves_doubtful(problem, sections) || (of_design && design_told))
+          continue;
+        errors.add(places.points[point],
+                   fmt::format("{}.{}", of_design ? "design" : "points", parameter_name(study, realization)),
+                   problem.message,
+                   of_design
+                       ? fmt::format("narrow the bounds: this run has {}", value_text(study, realization))
+                       : "");
+        design_told = design_told || of_design;
+      }
       continue;
     }
     const PlacedRow& placed = sections.rows[static_cast<std::size_t>(realization.row)];

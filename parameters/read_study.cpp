@@ -10,8 +10,10 @@
 #include <sstream>
 
 #include "parameters/check_study.hpp"
+#include "parameters/designs/design.hpp"
 #include "parameters/document.hpp"
 #include "parameters/fields.hpp"
+#include "parameters/read_design.hpp"
 #include "parameters/read_quantities.hpp"
 
 namespace cpt::parameters {
@@ -35,9 +37,9 @@ class StudyReader {
   }
 
   Study read() {
-    static constexpr std::array<std::string_view, 12> known = {"title",   "profile", "preset",     "output",
-                                                               "limits",  "fixed",   "parameters", "points",
-                                                               "windows", "layers",  "zones",      "repeats"};
+    static constexpr std::array<std::string_view, 13> known = {
+        "title",  "profile", "preset", "output", "limits",  "fixed", "parameters",
+        "points", "windows", "layers", "zones",  "repeats", "design"};
     refuse_unknown_keys(root_, "", known, errors_);
     study_.title = text_field(root_, "", "title", false, errors_).value_or(study_.name);
     const bool profile_known = read_profile();
@@ -55,6 +57,7 @@ class StudyReader {
     if (!layers.empty()) study_.baseline.layers = layers;  // setting the soil's height moves the last layer
 
     read_points(!profile_known && layers.empty());
+    read_design_points();
     read_repeats();
     read_windows();
     if (profile_known) check_study(study_, sections, places_, errors_);
@@ -175,6 +178,23 @@ class StudyReader {
         errors_.add(table->place, "points", "changes nothing", "give at least one quantity a value");
       study_.points.push_back(std::move(point));
       places_.points.push_back(table->place);
+    }
+  }
+
+  void read_design_points() {
+    study_.design = read_design(root_, study_.rows, errors_);
+    study_.design.first_point = study_.points.size();
+    const std::vector<DesignPoint> made = design_points(study_);
+    study_.design.points = made.size();
+    const Place place = made.empty() ? Place{} : root_.find("design")->place;
+    for (const DesignPoint& point : made) {
+      for (std::size_t i = 0; i < study_.design.first_point; ++i)
+        if (study_.points[i].name == point.name)
+          errors_.add(places_.points[i], "points.name",
+                      fmt::format("\"{}\" names a run of the design", point.name),
+                      "name the point otherwise");
+      study_.points.push_back(point);
+      places_.points.push_back(place);
     }
   }
 

@@ -24,6 +24,13 @@
 //     # an alternative becomes the bound on its side of the baseline: the smaller number, or the choice
 //     listed # earlier, is the lower bound. A bound equal to the baseline reuses the baseline run.
 //
+//   [design]                              # optional: runs beside those that change one input at a time,
+//   docs/designs.md
+//   kind = "morris"                       # one_at_a_time (default), pairs, morris, latin_hypercube, sobol
+//   trajectories = 10                     # also levels = 4; of latin_hypercube and sobol: runs
+//   seed = 1
+//   parameters = ["sand.nu", "sand.H"]    # rows that vary together; default: all, of pairs the first four
+//
 //   [[windows]]                           # at least one: where q_c is averaged, fixed or set by the baseline
 //   run name = "sand"                         # letters, digits, _ and - from_m = 0.5054 to_m = 0.5255
 //   [[windows]]

@@ -12,7 +12,7 @@ enum class Side { baseline, lower, upper, point, repeat };
 [[nodiscard]] std::string_view to_string(Side side);
 
 struct Realization {
-  int id = 0;    ///< from 1: the baseline is 1, then rows in file order, lower first, then points
+  int id = 0;    ///< from 1: the baseline is 1, then rows in file order, lower first, then Study::points
   int row = -1;  ///< index into Study::rows; -1 for the baseline and points
   Side side = Side::baseline;
   int point = -1;  ///< index into Study::points; -1 but for points and repeats

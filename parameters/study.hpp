@@ -1,6 +1,8 @@
 // A study: what the researcher wrote, validated. Plain data; read_study.hpp makes it from TOML.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -33,6 +35,19 @@ struct DesignPoint {
   bool repeat = false;
 };
 
+/// What the section [design] adds to the one-at-a-time runs; its runs are made by designs/design.hpp.
+struct Design {
+  enum class Kind { one_at_a_time, pairs, morris, latin_hypercube, sobol };
+  Kind kind = Kind::one_at_a_time;
+  std::vector<std::size_t> rows;  ///< that vary together: indices into Study::rows
+  int runs = 0;                   ///< latin_hypercube: runs; sobol: rows of the samples A and B
+  int trajectories = 0;           ///< morris
+  int levels = 0;                 ///< morris: of its grid, even
+  std::uint64_t seed = 1;         ///< of its points and of its bootstrap
+  std::size_t first_point = 0;    ///< of its own among Study::points
+  std::size_t points = 0;         ///< its own; fewer than its runs where the study has some of them already
+};
+
 /// Depth interval over which q_c is averaged.
 struct Window {
   enum class Kind { fixed, peak, trough };
@@ -49,9 +64,10 @@ struct Study {
   std::string title;           ///< for reports; defaults to the name
   solver::Profile profile;
   solver::Preset preset;
-  solver::Setup baseline;            ///< preset + fixed inputs + every row's baseline
-  std::vector<Row> rows;             ///< in file order
-  std::vector<DesignPoint> points;   ///< in file order, then the repeats
+  solver::Setup baseline;           ///< preset + fixed inputs + every row's baseline
+  std::vector<Row> rows;            ///< in file order
+  std::vector<DesignPoint> points;  ///< in file order, then the design's, then the repeats
+  Design design;
   std::vector<Window> windows;       ///< at least one
   std::filesystem::path database;    ///< default NAME.sqlite beside the study
   std::filesystem::path curves;      ///< default NAME.h5

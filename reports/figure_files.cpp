@@ -53,7 +53,8 @@ void write_text(const fs::path& file, const std::string& text) {
   }
 }
 
-std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign, Column column) {
+std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign, const results::Effects& effects,
+                                          Column column) {
   std::vector<NamedFigure> figures;
   std::set<std::string> taken;
   for (const results::WindowRow& window : campaign.windows) {
@@ -68,6 +69,10 @@ std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign, Col
                                    "noise of the baseline.",
                                    window.name),
                        sensitivity_figure(campaign, window, column)});
+    figures.push_back({"effects_" + part,
+                       fmt::format("What the design {} says of the inputs in window {}, with 95 % intervals.",
+                                   effects.design, window.name),
+                       effects_figure(campaign, effects, window, column)});
   }
   figures.push_back({"profiles",
                      "Cone resistance of all realizations; those furthest from the baseline in a window are "

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reports/column.hpp"
+#include "results/effects.hpp"
 #include "results/snapshot.hpp"
 
 namespace cpt::reports {
@@ -17,8 +18,9 @@ struct NamedFigure {
   std::optional<std::string> svg;  ///< nothing where the results it needs are not there
 };
 
-/// Tornado and indices of every window, profiles, baseline.
+/// Tornado, indices and the design's effects (none without a design) of every window, profiles, baseline.
 [[nodiscard]] std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign,
+                                                        const results::Effects& effects = {},
                                                         Column column = Column::one_and_half);
 
 /// Writes NAME.svg and NAME.png and returns them; without an SVG it removes those of an earlier report.

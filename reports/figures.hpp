@@ -5,6 +5,7 @@
 #include <string>
 
 #include "reports/column.hpp"
+#include "results/effects.hpp"
 #include "results/snapshot.hpp"
 
 namespace cpt::reports {
@@ -20,6 +21,14 @@ namespace cpt::reports {
 [[nodiscard]] std::optional<std::string> sensitivity_figure(const results::Snapshot& campaign,
                                                             const results::WindowRow& window,
                                                             Column column = Column::one_and_half);
+
+/// What the study's design says of every parameter (or pair) in a window, largest first: a bar with its 95 %
+/// interval for mu*, the total-order index or the interaction, a circle for sigma or the first-order index.
+/// The twenty largest where there are more.
+[[nodiscard]] std::optional<std::string> effects_figure(const results::Snapshot& campaign,
+                                                        const results::Effects& effects,
+                                                        const results::WindowRow& window,
+                                                        Column column = Column::one_and_half);
 
 /// q_c over depth of all realizations, the baseline and those furthest from it told apart (Fig. 10).
 [[nodiscard]] std::optional<std::string> profiles_figure(const results::Snapshot& campaign,

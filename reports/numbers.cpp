@@ -100,7 +100,7 @@ Table curve_table(const Snapshot& s) {
   return table;
 }
 
-std::string report_json(const Snapshot& s) {
+std::string report_json(const Snapshot& s, const results::Effects& effects) {
   const auto rows = [](const Table& table) {
     return nlohmann::ordered_json::parse(results::format(table, results::Format::json));
   };
@@ -112,6 +112,8 @@ std::string report_json(const Snapshot& s) {
   all["window_means"] = rows(window_mean_table(s));
   all["repeat_noise"] = rows(repeat_noise_table(s));
   all["sensitivity"] = rows(sensitivity_table(s));
+  all["design"] = effects.design;
+  all["effects"] = rows(results::effects_table(effects));
   return all.dump(2) + "\n";
 }
 

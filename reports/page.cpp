@@ -61,7 +61,7 @@ Json answers(const std::vector<diagnosis::StoredAnswer>& stored) {
 
 /// The numbers of report.json, with labels, layers, curves and diagnoses.
 Json page_data(const Snapshot& s, const PageContext& context) {
-  Json data = Json::parse(report_json(s));
+  Json data = Json::parse(report_json(s, context.effects));
   for (std::size_t i = 0; i < s.parameters.size(); ++i)
     data["parameters"][i]["label"] = label(symbol_of(s, s.parameters[i]));
   std::string newest;

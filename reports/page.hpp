@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "diagnosis/answer_store.hpp"
+#include "results/effects.hpp"
 #include "results/snapshot.hpp"
 
 namespace cpt::reports {
@@ -14,6 +15,7 @@ struct PageContext {
   std::vector<diagnosis::StoredAnswer> diagnoses;  ///< of the study
   std::vector<std::string> files;                  ///< names of the files beside the page, to link to
   int reload_seconds = 0;                          ///< how often the page loads itself anew; 0: never
+  results::Effects effects = {};                   ///< of the study's design
 };
 
 /// The page: reports/html/report.html with style, scripts, libraries and all numbers as one JSON block, which

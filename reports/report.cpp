@@ -11,7 +11,8 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
                                                 Column column) {
   make_directory(directory);
   std::vector<std::filesystem::path> files = {directory / "index.html"};
-  for (const NamedFigure& figure : campaign_figures(campaign, column))
+  context.effects = results::design_effects(campaign);
+  for (const NamedFigure& figure : campaign_figures(campaign, context.effects, column))
     for (const std::filesystem::path& file : write_figure(figure, directory)) files.push_back(file);
 
   const auto table = [&](const char* name, const results::Table& numbers) {
@@ -22,11 +23,12 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
   table("realizations.csv", realization_table(campaign));
   table("window_means.csv", window_mean_table(campaign));
   table("curves.csv", curve_table(campaign));
+  if (!context.effects.rows.empty()) table("effects.csv", results::effects_table(context.effects));
   files.push_back(directory / "report.json");
-  write_text(files.back(), report_json(campaign));
+  write_text(files.back(), report_json(campaign, context.effects));
   files.push_back(directory / "report.pdf");
-  write_pdf(supplement(campaign, campaign_figures(campaign)), campaign.campaign.title,
-            campaign.campaign.created, files.back());
+  write_pdf(supplement(campaign, campaign_figures(campaign, context.effects), context.effects),
+            campaign.campaign.title, campaign.campaign.created, files.back());
   for (auto file = files.begin() + 1; file != files.end(); ++file)
     context.files.push_back(file->filename().string());
   write_text(files.front(), page(campaign, context));

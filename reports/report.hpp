@@ -13,10 +13,11 @@ namespace cpt::reports {
 ///   index.html             the page, see page.hpp
 ///   tornado_WINDOW         range of q_c between each parameter's bounds (Yost et al. 2023, Fig. 11)
 ///   sensitivity_WINDOW     sensitivity indices with the noise floor (Fig. 12)
+///   effects_WINDOW         what the study's design says of its parameters, where it has one
 ///   profiles               q_c over depth of every realization (Fig. 10)
 ///   baseline               the baseline with its windows enlarged (Fig. 9); all figures as .svg and .png,
 ///                          as wide as a journal's `column`
-///   sensitivity.csv, realizations.csv, window_means.csv, curves.csv   the numbers
+///   sensitivity.csv, realizations.csv, window_means.csv, curves.csv, effects.csv   the numbers
 ///   report.json            all of the numbers in one file
 ///   report.pdf             tables and figures on A4, see supplement.hpp
 /// Works for a campaign that is still running or has failures, and says so everywhere. Figures that need

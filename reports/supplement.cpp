@@ -169,9 +169,30 @@ void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& win
   }
 }
 
+void write_effects(Writer& out, const Snapshot& s, const results::Effects& effects,
+                   const results::WindowRow& window) {
+  out.heading(fmt::format("Design {}: {}", effects.design, window.name));
+  const std::vector<double> widths = {96, 62, 58, 58, 58, 34, 34, 40, column - 440};
+  out.row({plain("input"), plain("quantity"), plain("value"), plain("from (95 %)"), plain("to (95 %)"),
+           plain("unit"), plain("used"), plain("dropped"), plain("note")},
+          widths, true);
+  for (const results::EffectRow& row : effects.rows) {
+    if (row.window != window.name) continue;
+    Rich input;
+    if (!row.parameter.empty()) input = symbol_of(s, parameter_of(s, row.parameter));
+    if (!row.other_parameter.empty())
+      input = input + plain(" × ") + symbol_of(s, parameter_of(s, row.other_parameter));
+    out.row({input, plain(row.quantity), plain(number(row.value, 4)), plain(number(row.lower, 4)),
+             plain(number(row.upper, 4)), plain(row.unit), plain(fmt::format("{}", row.used)),
+             plain(fmt::format("{}", row.dropped)), plain(row.note)},
+            widths);
+  }
+}
+
 }  // namespace
 
-std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure>& figures) {
+std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure>& figures,
+                                const results::Effects& effects) {
   Writer out;
   out.heading(s.campaign.title, 16.0);
   out.paragraph(state_of(s) + ".");
@@ -179,6 +200,8 @@ std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure
                             s.campaign.name, s.campaign.profile, s.campaign.preset,
                             s.campaign.program_version, s.campaign.solver_version, s.campaign.created));
   for (const auto& window : s.windows) write_indices(out, s, window);
+  if (!effects.rows.empty())
+    for (const auto& window : s.windows) write_effects(out, s, effects, window);
   const bool any_failed =
       std::any_of(s.realizations.begin(), s.realizations.end(), [](const auto& run) { return run.failed(); });
   if (any_failed) {

@@ -5,20 +5,23 @@
 #include <array>
 
 #include "results/database.hpp"
+#include "results/effects.hpp"
 #include "results/schema.hpp"
 
 namespace cpt::results {
 namespace {
 
-constexpr std::array<NamedQuery, 5> questions = {{
+constexpr std::array<NamedQuery, 6> questions = {{
     {"realizations", "every realization: its parameter, value, status, cost and audit"},
     {"windows", "every realization's q_c in every window, with the window's depths"},
     {"sensitivity", "sensitivity index of every parameter in every window, with the noise floor"},
     {"tornado", "range of q_c between each parameter's bounds, widest first"},
     {"failures", "realizations that failed, with the reason"},
+    {"effects", "what the study's [design] says of its parameters, with 95 % intervals"},
 }};
 
-constexpr std::array<std::string_view, questions.size()> statements = {
+// In the order of the questions; the last one is answered without SQL.
+constexpr std::array<std::string_view, questions.size() - 1> statements = {
     "SELECT id, parameter, side, value_text AS value, status, wall_s, steps, material_points, mass_error, "
     "momentum_error, energy_error, kinetic_fraction FROM realization ORDER BY id",
     "SELECT m.window, m.realization, r.parameter, r.side, r.value_text AS value, m.from_m, m.to_m, m.bins, "
@@ -36,7 +39,12 @@ constexpr std::array<std::string_view, questions.size()> statements = {
 std::span<const NamedQuery> named_queries() { return questions; }
 
 Table query(const std::filesystem::path& database, std::string_view name) {
-  for (std::size_t i = 0; i < questions.size(); ++i)
+  if (name == "effects") {
+    const Effects effects = design_effects(read_snapshot(database));
+    if (!effects.problem.empty()) throw Error(fmt::format("{}: {}", database.string(), effects.problem));
+    return effects_table(effects);
+  }
+  for (std::size_t i = 0; i < statements.size(); ++i)
     if (questions[i].name == name) return query_sql(database, statements[i]);
   std::string known;
   for (const NamedQuery& question : questions) known += fmt::format(" {}", question.name);

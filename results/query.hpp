@@ -15,7 +15,7 @@ struct NamedQuery {
   std::string_view name;
   std::string_view meaning;
 };
-/// realizations, windows, sensitivity, tornado, failures.
+/// realizations, windows, sensitivity, tornado, failures, effects.
 [[nodiscard]] std::span<const NamedQuery> named_queries();
 
 /// Answers a named query; throws Error for an unknown name or an unusable database.

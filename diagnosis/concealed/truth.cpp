@@ -178,6 +178,7 @@ parameters::Study truth_study(const Plan& plan, const parameters::Study& study,
   made.curves = plan.sealed_folder / (made.name + ".h5");
   made.report_dir = plan.sealed_folder / (made.name + "-report");
   made.points.clear();
+  made.design = {};
   for (const Truth& truth : truths)
     if (sounding < truth.soundings.size())
       made.points.push_back(

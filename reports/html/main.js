@@ -64,6 +64,7 @@ glance();
 failures();
 diagnoses();
 sensitivity();
+effects();
 profiles();
 realizations();
 provenance();

@@ -43,10 +43,11 @@ const std::vector<Outside> outside = {
     {"CLI/.*", {"cli/"}},
     {"nlohmann/.*", {"results/table_format.cpp", "reports/", "diagnosis/concealed/"}},
     {"librsvg/.*|cairo.*", {"reports/"}},
-    {"Eigen/.*", {"solver/", "parameters/calibration/trend.cpp", "diagnosis/"}},
+    {"Eigen/.*", {"solver/", "parameters/calibration/trend.cpp", "parameters/designs/", "diagnosis/"}},
     {"boost/math/.*",
      {"parameters/calibration/hardening.cpp", "results/discretization_error.cpp", "results/repeat_noise.cpp",
-      "results/window_noise.cpp", "diagnosis/scoring.cpp"}},
+      "results/window_noise.cpp", "diagnosis/scoring.cpp", "parameters/designs/bootstrap.cpp"}},
+    {"boost/random/.*", {"parameters/designs/"}},
     {"omp\\.h|immintrin\\.h", {"solver/"}},
     // The operating system: locks on files, processes, the terminal.
     {"(sys/[a-z]+|fcntl|unistd)\\.h", {"results/", "campaign/"}},

@@ -313,5 +313,34 @@ TEST(Campaign, RerunComparesBitForBit) {
   EXPECT_EQ(rerun("77", "").exit_code, 2);
 }
 
+TEST(Campaign, DesignIsRunResumedAndRead) {
+  const StudyFolder folder;
+  folder.write("small.toml", folder.read("small.toml") + "\n[design]\nkind = \"morris\"\ntrajectories = 3\n");
+  const auto effects = [&] {
+    const Result answer = run(campaign({"query", folder.study(), "effects", "--format", "csv"}));
+    EXPECT_EQ(answer.exit_code, 0) << answer.err;
+    return answer.out;
+  };
+  // Failing runs are left out, and run again on request.
+  const Result first = run(campaign(arguments(folder.study())), {"CPT_FAKE=sand.nu=0.3:energy_drift"});
+  EXPECT_EQ(first.exit_code, 1) << first.err;
+  EXPECT_NE(effects().find("runs failed"), std::string::npos) << effects();
+  EXPECT_EQ(run(campaign(arguments(folder.study(), {"--retry-failed"}))).exit_code, 0);
+  const std::string whole = effects();
+  EXPECT_EQ(whole.find("failed"), std::string::npos) << whole;
+  EXPECT_EQ(std::count(whole.begin(), whole.end(), '\n'), 10) << whole;
+  const Result again = run(campaign({"rerun", folder.study(), "8", "--executor", FAKE_REALIZATION}));
+  EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
+  EXPECT_EQ(effects(), whole);
+}
+
+TEST(Campaign, EffectsOfAStudyWithoutDesignAreRefused) {
+  const StudyFolder folder;
+  EXPECT_EQ(run(campaign(arguments(folder.study()))).exit_code, 0);
+  const Result answer = run(campaign({"query", folder.study(), "effects"}));
+  EXPECT_EQ(answer.exit_code, 2);
+  EXPECT_NE(answer.err.find("no [design]"), std::string::npos) << answer.err;
+}
+
 }  // namespace
 }  // namespace cpt::tests

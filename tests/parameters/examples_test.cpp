@@ -41,6 +41,12 @@ TEST(Examples, HaveTheirRealizations) {
   expect_study("numerics/clay.toml", Profile::homogeneous_clay, Preset::quick, 20);
   expect_study("numerics/sand_fine.toml", Profile::homogeneous_sand, Preset::fine, 1);
   expect_study("numerics/clay_fine.toml", Profile::homogeneous_clay, Preset::fine, 1);
+  // The baseline, the six bounds that differ from it, and what the design adds; corners of the pairs that the
+  // bounds are already come once.
+  expect_study("designs/pairs.toml", Profile::homogeneous_sand, Preset::quick, 7 + 13 + 6);
+  expect_study("designs/morris.toml", Profile::homogeneous_sand, Preset::quick, 7 + 6 * 5);
+  expect_study("designs/latin_hypercube.toml", Profile::homogeneous_sand, Preset::quick, 7 + 40);
+  expect_study("designs/sobol.toml", Profile::homogeneous_sand, Preset::quick, 7 + 16 * 4);
 }
 
 // Yost et al. (2023), sections 6.2 and 6.3: what the chamber's studies change, and nothing else.

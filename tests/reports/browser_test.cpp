@@ -99,6 +99,23 @@ int id_of(const results::Snapshot& campaign, const std::string& parameter, const
   return 0;
 }
 
+TEST_F(Page, ShowsWhatTheDesignSays) {
+  for (const char* design :
+       {"kind = \"morris\"\ntrajectories = 4", "kind = \"latin_hypercube\"\nruns = 40"}) {
+    const auto campaign = run_made_up_design(folder / "study.toml", design);
+    const auto effects = results::design_effects(campaign);
+    PageContext context;
+    context.effects = effects;
+    show(campaign, context);
+    EXPECT_FALSE(value("document.getElementById('effects').hidden").get<bool>());
+    EXPECT_EQ(count("#effects table tbody tr"), static_cast<int>(effects.rows.size()));
+    EXPECT_EQ(count("#effects .effect rect"), 4) << design;
+    if (const char* keep = std::getenv("CPT_SCREENSHOTS"))
+      browser->screenshot(fs::path(keep) / (effects.design + ".png"));
+    fs::remove(folder / "study.sqlite");
+  }
+}
+
 TEST_F(Page, ShowsTheWholeCampaign) {
   const auto campaign = run_made_up(layered_study(folder));
   show(campaign, {{}, {"report.json"}, 0});

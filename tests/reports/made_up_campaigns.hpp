@@ -24,4 +24,9 @@ using Mishaps = std::map<int, std::string>;
 /// Runs the study with made-up outcomes and reads it back. A mishap is a solver status name.
 [[nodiscard]] results::Snapshot run_made_up(const parameters::Study& study, const Mishaps& mishaps = {});
 
+/// A study of sand with four rows and this text under [design], run with made-up outcomes that depend on the
+/// inputs together; every tenth run fails.
+[[nodiscard]] results::Snapshot run_made_up_design(const std::filesystem::path& file,
+                                                   const std::string& design);
+
 }  // namespace cpt::reports

@@ -64,7 +64,8 @@ TEST_F(Report, PdfHasEveryFigureAtColumnWidthWithLegibleType) {
   EXPECT_TRUE(has(pdf, "/Count " + std::to_string(pages.size()))) << pages.size();
   std::size_t drawn = 0;
   for (const auto& page : pages) drawn += page.size() - 1;
-  EXPECT_EQ(drawn, figures.size());
+  EXPECT_EQ(drawn, static_cast<std::size_t>(std::count_if(figures.begin(), figures.end(),
+                                                          [](const auto& f) { return f.svg.has_value(); })));
   const std::regex size("font-size=\"([0-9.]+)\""), view("viewBox=\"0 0 ([0-9.]+) ([0-9.]+)\"");
   for (const auto& page : pages)
     for (const auto& part : page) {
@@ -149,6 +150,22 @@ TEST_F(Report, SameDatabaseGivesTheSameBytes) {
   const auto second = write_report(campaign, folder / "two");
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(read(first[i]), read(second[i])) << first[i];
+}
+
+TEST_F(Report, ShowsWhatTheDesignSays) {
+  for (const char* design : {"kind = \"pairs\"", "kind = \"morris\"\ntrajectories = 4",
+                             "kind = \"latin_hypercube\"\nruns = 40", "kind = \"sobol\"\nruns = 16"}) {
+    const auto campaign = run_made_up_design(folder / "study.toml", design);
+    write_report(campaign, folder / "report");
+    const std::string svg = read(folder / "report" / "effects_deep.svg");
+    EXPECT_TRUE(has(svg, ">H<") && has(svg, ">wall<")) << design;
+    EXPECT_FALSE(has(svg, "nan")) << design;
+    EXPECT_TRUE(fs::exists(folder / "report" / "effects_deep.png"));
+    const auto effects = results::design_effects(campaign);
+    EXPECT_EQ(lines(read(folder / "report" / "effects.csv")), 1u + effects.rows.size()) << design;
+    EXPECT_TRUE(has(read(folder / "report" / "report.json"), "\"design\": \"" + effects.design + "\""));
+    fs::remove(folder / "study.sqlite");
+  }
 }
 
 TEST_F(Report, UnwritableFolderIsNamed) {

@@ -1,0 +1,39 @@
+// The runs of a study's [design]. A design lives in the unit cube; one transform takes it to the rows'
+// bounds.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "parameters/realization.hpp"
+#include "parameters/study.hpp"
+
+namespace cpt::parameters {
+
+/// In the order of Design::Kind.
+[[nodiscard]] std::span<const std::string_view> design_kinds();
+[[nodiscard]] std::string_view to_string(Design::Kind kind);
+
+/// Runs that the design asks for, before any is made.
+[[nodiscard]] long run_count(const Design& design);
+
+/// Runs x Design::rows: where each run lies between the lower (0) and the upper (1) bound of each row. A
+/// choice is at 0 below 0.5, at 1 from 0.5 on. NaN: left at its baseline. No rows for one_at_a_time.
+[[nodiscard]] Eigen::MatrixXd design_places(const Study& study);
+
+/// Value of a row at a place of the unit interval, in study units: linear from lower to upper and the nearest
+/// whole number where it must be one; a choice is lower below 0.5, upper from 0.5 on.
+[[nodiscard]] double value_at(const Row& row, double place);
+
+/// The design's runs as points, named "morris 3.2" (trajectory 3, its second run), "pairs 1.4", "sobol 7.A"
+/// or "latin hypercube 5". What the study has a realization of already (with equal settings) is left out.
+[[nodiscard]] std::vector<DesignPoint> design_points(const Study& study);
+
+/// The realization of each run, in the order of design_places; indices into `realizations`, which are those
+/// of the study with its design's points.
+[[nodiscard]] std::vector<std::size_t> design_realizations(const Study& study,
+                                                           std::span<const Realization> realizations);
+
+}  // namespace cpt::parameters

@@ -1,0 +1,30 @@
+#include "parameters/designs/pairs.hpp"
+
+#include <limits>
+
+namespace cpt::parameters {
+
+using Eigen::Index;
+
+std::vector<std::pair<Index, Index>> pairs_of(int parameters) {
+  std::vector<std::pair<Index, Index>> pairs;
+  for (Index i = 0; i < parameters; ++i)
+    for (Index j = i + 1; j < parameters; ++j) pairs.emplace_back(i, j);
+  return pairs;
+}
+
+Eigen::MatrixXd pairs_places(int parameters) {
+  const auto pairs = pairs_of(parameters);
+  Eigen::MatrixXd places = Eigen::MatrixXd::Constant(4 * static_cast<Index>(pairs.size()), parameters,
+                                                     std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    for (Index corner = 0; corner < 4; ++corner) {
+      places(4 * static_cast<Index>(k) + corner, pairs[k].first) = static_cast<double>(corner % 2);
+      places(4 * static_cast<Index>(k) + corner, pairs[k].second) = static_cast<double>(corner / 2);
+    }
+  return places;
+}
+
+double interaction(const std::array<double, 4>& y) { return 0.5 * ((y[3] - y[2]) - (y[1] - y[0])); }
+
+}  // namespace cpt::parameters

@@ -1,0 +1,24 @@
+// Full 2^2 factorial of every pair of parameters at their bounds, the others at their baselines: which pairs
+// act together?
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace cpt::parameters {
+
+/// The pairs of `parameters` in order: (0, 1), (0, 2), ..., (1, 2), ...
+[[nodiscard]] std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs_of(int parameters);
+
+/// Four runs a pair x parameters, in the unit cube: both lower, the first upper, the second upper, both
+/// upper. NaN: left at its baseline.
+[[nodiscard]] Eigen::MatrixXd pairs_places(int parameters);
+
+/// ((y_both - y_second) - (y_first - y_neither)) / 2: half of what the second parameter changes in the first
+/// one's effect (Box, Hunter & Hunter 2005, Statistics for Experimenters, chapter 5). `y` holds the four
+/// runs as pairs_places orders them; NaN where one of them is missing.
+[[nodiscard]] double interaction(const std::array<double, 4>& y);
+
+}  // namespace cpt::parameters

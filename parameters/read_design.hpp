@@ -1,0 +1,13 @@
+// The section [design] of a study: which runs it adds to those that change one input at a time.
+#pragma once
+
+#include "parameters/document.hpp"
+#include "parameters/fields.hpp"
+#include "parameters/study.hpp"
+
+namespace cpt::parameters {
+
+/// Reads the section; one_at_a_time without it and after an error. Its points are not made yet.
+[[nodiscard]] Design read_design(const Value& root, const std::vector<Row>& rows, ErrorList& errors);
+
+}  // namespace cpt::parameters

@@ -1,0 +1,212 @@
+#include "results/effects.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <set>
+#include <span>
+#include <variant>
+
+#include "parameters/designs/design.hpp"
+#include "parameters/designs/morris.hpp"
+#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/designs/pairs.hpp"
+#include "parameters/designs/polynomial_chaos.hpp"
+#include "parameters/designs/sobol.hpp"
+#include "parameters/read_study.hpp"
+
+namespace cpt::results {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using parameters::Design;
+using parameters::Estimate;
+using parameters::Study;
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+// The stored realization of each run of the design; nullptr where the ledger has another one in its place.
+std::vector<const RealizationRow*> stored_runs(const Study& study, const Snapshot& s) {
+  const auto realizations = parameters::one_at_a_time(study);
+  std::map<int, const RealizationRow*> by_id;
+  for (const RealizationRow& row : s.realizations) by_id[row.id] = &row;
+  std::vector<const RealizationRow*> runs;
+  for (const std::size_t index : parameters::design_realizations(study, realizations)) {
+    const parameters::Realization& realization = realizations[index];
+    const auto found = by_id.find(realization.id);
+    const bool same = found != by_id.end() &&
+                      found->second->parameter == parameter_name(study, realization) &&
+                      found->second->side == to_string(realization.side) &&
+                      found->second->value_text == value_text(study, realization);
+    runs.push_back(same ? found->second : nullptr);
+  }
+  return runs;
+}
+
+// "2 of 44 runs failed, 1 still to run"; empty if all are completed. A run that the design asks for twice is
+// one.
+std::string missing(std::span<const RealizationRow* const> runs) {
+  const std::set<const RealizationRow*> stored(runs.begin(), runs.end());
+  const auto failed = std::count_if(stored.begin(), stored.end(),
+                                    [](const auto* run) { return run != nullptr && run->failed(); });
+  const auto waiting = std::count_if(stored.begin(), stored.end(),
+                                     [](const auto* run) { return run == nullptr || run->waiting(); });
+  std::string words;
+  if (failed > 0) words = fmt::format("{} of {} runs failed", failed, stored.size());
+  if (waiting > 0)
+    words += failed > 0 ? fmt::format(", {} still to run", waiting)
+                        : fmt::format("{} of {} runs still to run", waiting, stored.size());
+  return words;
+}
+
+/// Adds the rows of one window.
+class WindowEffects {
+ public:
+  WindowEffects(const Study& study, const Snapshot& s, const WindowRow& window,
+                std::span<const RealizationRow* const> runs, std::vector<EffectRow>& rows)
+      : study_(study), s_(s), window_(window), runs_(runs), rows_(rows) {
+    std::map<int, double> mean;
+    for (const WindowMeanRow& m : s.window_means)
+      if (m.window == window.name) mean[m.realization] = m.q_c_mean_kPa;
+    y_ = VectorXd::Constant(static_cast<Index>(runs.size()), undefined);
+    for (std::size_t k = 0; k < runs.size(); ++k)
+      if (runs[k] != nullptr && mean.contains(runs[k]->id)) y_(static_cast<Index>(k)) = mean.at(runs[k]->id);
+    note_ = window.problem.empty() ? missing(runs) : "undefined: " + window.problem;
+  }
+
+  void add() {
+    switch (study_.design.kind) {
+      case Design::Kind::one_at_a_time:
+        return;
+      case Design::Kind::pairs:
+        return add_pairs();
+      case Design::Kind::morris:
+        return add_morris();
+      case Design::Kind::latin_hypercube:
+        return add_chaos();
+      case Design::Kind::sobol:
+        return add_sobol();
+    }
+  }
+
+ private:
+  [[nodiscard]] std::size_t parameters() const { return study_.design.rows.size(); }
+  [[nodiscard]] std::string name(std::size_t j) const {
+    return std::string(study_.rows[study_.design.rows[j]].quantity->name);
+  }
+
+  void put(std::size_t j, std::string_view quantity, std::string_view unit, const Estimate& e, int used,
+           int dropped) {
+    rows_.push_back({window_.name, name(j), "", std::string(quantity), std::string(unit), e.value, e.lower,
+                     e.upper, used, dropped, note_});
+  }
+
+  // Without runs beside each other the interval is that of the repeats: an interaction is half of four
+  // results added up, so it scatters as one result does.
+  void add_pairs() {
+    const auto noise = std::find_if(s_.repeat_noise.begin(), s_.repeat_noise.end(),
+                                    [&](const auto& row) { return row.window == window_.name; });
+    const bool repeated = noise != s_.repeat_noise.end();
+    const double half =
+        repeated ? noise->si_half_width * noise->q_c_mean_kPa / std::sqrt(2.0) : undefined;  // t s
+    const auto pairs = parameters::pairs_of(static_cast<int>(parameters()));
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto y = y_.segment<4>(4 * static_cast<Index>(k));
+      const double value = parameters::interaction({y(0), y(1), y(2), y(3)});
+      const int used = static_cast<int>(y.array().isFinite().count());
+      const std::string gap = window_.problem.empty() ? missing(runs_.subspan(4 * k, 4)) : window_.problem;
+      std::string note = gap.empty() ? "" : "undefined: " + gap;
+      if (note.empty() && !repeated) note = "no interval: the study has no repeats";
+      rows_.push_back({window_.name, name(static_cast<std::size_t>(pairs[k].first)),
+                       name(static_cast<std::size_t>(pairs[k].second)), "interaction", "kPa", value,
+                       value - half, value + half, used, 4 - used, std::move(note)});
+    }
+  }
+
+  void add_morris() {
+    const auto effects =
+        parameters::elementary_effects(parameters::design_places(study_), y_, study_.design.seed);
+    const auto add = [&](std::string_view quantity, auto estimate) {
+      for (std::size_t j = 0; j < effects.size(); ++j)
+        put(j, quantity, "kPa", effects[j].*estimate, effects[j].used, effects[j].dropped);
+    };
+    add("mu_star", &parameters::ElementaryEffects::mu_star);
+    add("mu", &parameters::ElementaryEffects::mu);
+    add("sigma", &parameters::ElementaryEffects::sigma);
+  }
+
+  void add_sobol() {
+    const auto indices = parameters::sobol_indices(static_cast<int>(parameters()), y_, study_.design.seed);
+    add_shares(indices.first, indices.total, indices.used, indices.dropped);
+  }
+
+  void add_chaos() {
+    std::vector<bool> two_valued;
+    for (const std::size_t row : study_.design.rows)
+      two_valued.push_back(!study_.rows[row].quantity->choices.empty());
+    const auto fit =
+        parameters::polynomial_chaos(parameters::design_places(study_), two_valued, y_, study_.design.seed);
+    if (window_.problem.empty() && !fit.problem.empty())
+      note_ = note_.empty() ? fit.problem : fit.problem + "; " + note_;
+    add_shares(fit.first, fit.total, fit.used, fit.dropped);
+    std::string note = note_;
+    if (fit.terms > 0)
+      note += fmt::format("{}degree {}, {} terms", note.empty() ? "" : "; ", fit.degree, fit.terms);
+    rows_.push_back({window_.name, "", "", "Q2", "-", fit.q2, undefined, undefined, fit.used, fit.dropped,
+                     std::move(note)});
+  }
+
+  void add_shares(const std::vector<Estimate>& first, const std::vector<Estimate>& total, int used,
+                  int dropped) {
+    for (std::size_t j = 0; j < total.size(); ++j) put(j, "total_order", "-", total[j], used, dropped);
+    for (std::size_t j = 0; j < first.size(); ++j) put(j, "first_order", "-", first[j], used, dropped);
+  }
+
+  const Study& study_;
+  const Snapshot& s_;
+  const WindowRow& window_;
+  std::span<const RealizationRow* const> runs_;
+  std::vector<EffectRow>& rows_;
+  VectorXd y_;
+  std::string note_;
+};
+
+}  // namespace
+
+Effects design_effects(const Snapshot& s) {
+  Effects effects;
+  const auto parsed = parameters::parse_study(s.campaign.study_text, s.campaign.name + ".toml");
+  if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed)) {
+    effects.problem =
+        fmt::format("the study in the ledger cannot be read by this program: {}", errors->front().message);
+    return effects;
+  }
+  const Study& study = std::get<Study>(parsed);
+  const std::vector<const RealizationRow*> runs = stored_runs(study, s);
+  // The runs of a diagnosis are not those that its study's text asks for.
+  if (std::all_of(runs.begin(), runs.end(), [](const auto* run) { return run == nullptr; })) return effects;
+  effects.design = to_string(study.design.kind);
+  for (const WindowRow& window : s.windows) WindowEffects(study, s, window, runs, effects.rows).add();
+  return effects;
+}
+
+Table effects_table(const Effects& effects) {
+  Table table{{"window", "parameter", "other_parameter", "quantity", "unit", "value", "lower", "upper",
+               "used", "dropped", "note"},
+              {}};
+  const auto number = [](double value) {
+    return std::isfinite(value) ? Cell(value) : Cell(std::monostate{});
+  };
+  for (const EffectRow& row : effects.rows)
+    table.rows.push_back({row.window, row.parameter, row.other_parameter, row.quantity, row.unit,
+                          number(row.value), number(row.lower), number(row.upper), std::int64_t{row.used},
+                          std::int64_t{row.dropped}, row.note});
+  return table;
+}
+
+}  // namespace cpt::results

@@ -1,0 +1,187 @@
+// The section [design]: its points among the study's, and what is wrong with it.
+#include "parameters/designs/design.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "parameters/designs/one_at_a_time.hpp"
+#include "tests/parameters/studies.hpp"
+
+namespace cpt::parameters {
+namespace {
+
+const std::string rows =
+    "[parameters]\n"
+    "sand.nu = { baseline = 0.2, lower = 0.1, upper = 0.3 }\n"
+    "sand.H = { baseline = 25, upper = 75 }\n"
+    "chamber.wall = { baseline = \"rigid\", alternative = \"flexible\" }\n";
+
+Study with(const std::string& design) { return study_of(sand_study(rows + "[design]\n" + design)); }
+
+std::set<std::string> all_settings(const Study& study) {
+  std::set<std::string> texts;
+  for (const Realization& realization : one_at_a_time(study)) texts.insert(settings_text(study, realization));
+  return texts;
+}
+
+TEST(Design, WithoutTheSectionThereIsNone) {
+  const Study study = study_of(sand_study(rows));
+  EXPECT_EQ(study.design.kind, Design::Kind::one_at_a_time);
+  EXPECT_TRUE(study.points.empty());
+  EXPECT_TRUE(with("kind = \"one_at_a_time\"").points.empty());
+}
+
+TEST(Design, MorrisTakesChoicesFromOneBoundToTheOther) {
+  const Study study = with("kind = \"morris\"\ntrajectories = 6\nseed = 4\n");
+  const Eigen::MatrixXd places = design_places(study);
+  ASSERT_EQ(places.rows(), 24);
+  EXPECT_TRUE((places.col(2).array() == 0.0 || places.col(2).array() == 1.0).all());
+  for (Eigen::Index t = 0; t < 6; ++t)
+    EXPECT_EQ(places.col(2).segment(4 * t, 4).maxCoeff() - places.col(2).segment(4 * t, 4).minCoeff(), 1.0);
+  EXPECT_EQ(study.points.at(0).name, "morris 1.1");
+  EXPECT_EQ(study.points.at(1).name, "morris 1.2");
+}
+
+TEST(Design, PointsLieInTheBoxAndEqualSettingsRunOnce) {
+  for (const char* design : {"kind = \"pairs\"\n", "kind = \"morris\"\nlevels = 2\n",
+                             "kind = \"latin_hypercube\"\nruns = 30\n", "kind = \"sobol\"\nruns = 16\n"}) {
+    const Study study = with(design);
+    EXPECT_GT(study.design.points, 0U);
+    EXPECT_EQ(study.points.size(), study.design.points);
+    for (const DesignPoint& point : study.points)
+      for (const Change& change : point.changes)
+        for (const Row& row : study.rows)
+          if (row.quantity == change.quantity) {
+            EXPECT_GE(change.value, row.lower) << point.name;
+            EXPECT_LE(change.value, row.upper) << point.name;
+          }
+    const auto realizations = one_at_a_time(study);
+    EXPECT_EQ(all_settings(study).size(), realizations.size()) << design;
+  }
+}
+
+// Whatever stands for a run has exactly the values that the run asks for.
+TEST(Design, RunsHaveTheirRealizations) {
+  for (const char* design : {"kind = \"pairs\"\n", "kind = \"sobol\"\nruns = 8\n"}) {
+    const Study study = with(design);
+    const Eigen::MatrixXd places = design_places(study);
+    const auto realizations = one_at_a_time(study);
+    const auto found = design_realizations(study, realizations);
+    ASSERT_EQ(static_cast<long>(found.size()), run_count(study.design));
+    for (std::size_t run = 0; run < found.size(); ++run) {
+      const solver::Setup setup = make_setup(study, realizations[found[run]]);
+      for (std::size_t j = 0; j < 3; ++j) {
+        const double place = places(static_cast<Eigen::Index>(run), static_cast<Eigen::Index>(j));
+        EXPECT_DOUBLE_EQ(study.rows[j].quantity->value(setup),
+                         std::isnan(place) ? study.rows[j].baseline : value_at(study.rows[j], place));
+      }
+    }
+  }
+}
+
+// Corners of a one-sided row are runs of the other row alone, or the baseline.
+TEST(Design, PairsUseTheRunsThatThereAre) {
+  const Study study = with("kind = \"pairs\"\nparameters = [\"sand.H\", \"chamber.wall\"]\n");
+  ASSERT_EQ(study.points.size(), 1U);
+  EXPECT_EQ(study.points[0].name, "pairs 1.2");
+  EXPECT_EQ(value_text(study, one_at_a_time(study).back()), "sand.H = 75, chamber.wall = flexible");
+  std::vector<std::string> used;
+  const auto realizations = one_at_a_time(study);
+  for (const std::size_t index : design_realizations(study, realizations))
+    used.push_back(std::string(parameter_name(study, realizations[index])));
+  EXPECT_EQ(used, (std::vector<std::string>{"chamber.wall", "pairs 1.2", "", "sand.H"}));
+}
+
+TEST(Design, StandsBetweenPointsAndRepeats) {
+  const Study study =
+      study_of("repeats = 2\n" + sand_study(rows + "[[points]]\nname = \"a\"\nsand.H = 50\n" +
+                                            "[design]\nkind = \"latin_hypercube\"\nruns = 12\n"));
+  EXPECT_EQ(study.points.size(), 15U);
+  EXPECT_EQ(study.design.first_point, 1U);
+  EXPECT_EQ(study.points[1].name, "latin hypercube 1");
+  EXPECT_EQ(study.points[13].name, "repeat 1");
+}
+
+TEST(Design, SeedFixesThePoints) {
+  const auto values = [](const std::string& seed) {
+    std::vector<double> all;
+    for (const DesignPoint& point : with("kind = \"sobol\"\nruns = 8\nseed = " + seed + "\n").points)
+      for (const Change& change : point.changes) all.push_back(change.value);
+    return all;
+  };
+  EXPECT_EQ(values("3"), values("3"));
+  EXPECT_NE(values("3"), values("4"));
+}
+
+TEST(Design, DefaultsAreThoseOfTheDocumentation) {
+  EXPECT_EQ(with("kind = \"morris\"").design.trajectories, 10);
+  EXPECT_EQ(with("kind = \"morris\"").design.levels, 4);
+  EXPECT_EQ(with("kind = \"latin_hypercube\"").design.runs, 30);
+  EXPECT_EQ(with("kind = \"sobol\"").design.runs, 64);
+  EXPECT_EQ(with("kind = \"pairs\"").design.rows.size(), 3U);
+}
+
+TEST(Design, ErrorsTellWhatIsWrong) {
+  struct Case {
+    std::string design, key, message;
+  };
+  for (const Case& bad :
+       {Case{"runs = 5", "design.kind", "missing"},
+        Case{"kind = \"moris\"", "design.kind", "did you mean \"morris\""},
+        Case{"kind = \"morris\"\nruns = 5", "design.runs", "belongs to latin_hypercube, sobol"},
+        Case{"kind = \"morris\"\ntrajectory = 5", "design.trajectory", "did you mean trajectories"},
+        Case{"kind = \"morris\"\nlevels = 5", "design.levels", "even number from 2 to 20"},
+        Case{"kind = \"morris\"\ntrajectories = 1", "design.trajectories", "whole number from 2 to 1000"},
+        Case{"kind = \"morris\"\ntrajectories = 2.5", "design.trajectories", "whole number"},
+        Case{"kind = \"sobol\"\nruns = \"64\"", "design.runs", "without quotes"},
+        Case{"kind = \"sobol\"\nseed = -1", "design.seed", "from 0"},
+        Case{"kind = \"sobol\"\nruns = 10000", "design", "asks for 50000 runs"},
+        Case{"kind = \"pairs\"\nseed = 1", "design.seed", "means nothing to pairs"},
+        Case{"kind = \"one_at_a_time\"\nparameters = []", "design.parameters", "every row"},
+        Case{"kind = \"pairs\"\nparameters = [\"sand.nu\"]", "design.parameters", "at least 2"},
+        Case{"kind = \"morris\"\nparameters = []", "design.parameters", "at least 1"},
+        Case{"kind = \"morris\"\nparameters = \"sand.nu\"", "design.parameters", "array"},
+        Case{"kind = \"morris\"\nparameters = [3]", "design.parameters", "names"},
+        Case{"kind = \"morris\"\nparameters = [\"sand.h\"]", "design.parameters", "did you mean \"sand.H\""},
+        Case{"kind = \"morris\"\nparameters = [\"sand.H\", \"sand.H\"]", "design.parameters", "twice"}}) {
+    const auto errors = errors_of(sand_study(rows + "[design]\n" + bad.design + "\n"));
+    ASSERT_EQ(errors.size(), 1U) << bad.design << '\n' << format(errors);
+    EXPECT_EQ(errors.front().key, bad.key) << format(errors);
+    EXPECT_GT(errors.front().line, 0);
+    EXPECT_NE(format(errors).find(bad.message), std::string::npos) << format(errors);
+  }
+}
+
+TEST(Design, ImpossibleCornersAreToldOnce) {
+  // Each bound is possible alone, both together leave the chamber too small for the cone.
+  const auto errors =
+      errors_of(sand_study("[parameters]\nsand.nu = { baseline = 0.2, upper = 0.3 }\n"
+                           "penetrometer.final_depth_m = { baseline = 0.55, upper = 0.985 }\n[design]\nkind "
+                           "= \"sobol\"\nruns = 16\n"));
+  int of_design = 0;
+  for (const StudyError& error : errors) of_design += error.key.starts_with("design.sobol") ? 1 : 0;
+  EXPECT_EQ(of_design, 1) << format(errors);
+}
+
+TEST(Design, NameOfAPointIsTaken) {
+  const auto errors = errors_of(sand_study(rows + "[[points]]\nname = \"morris 1.2\"\nsand.H = 50\n" +
+                                           "[design]\nkind = \"morris\"\n"));
+  ASSERT_EQ(errors.size(), 1U) << format(errors);
+  EXPECT_EQ(errors[0].key, "points.name");
+}
+
+TEST(Design, WholeNumbersAndChoicesTakeTheNearestValue) {
+  solver::Quantity whole = *solver::find_quantity("sand.H");
+  whole.integer = true;
+  const Row row{&whole, 1.0, 1.0, 4.0};
+  EXPECT_EQ(value_at(row, 0.0), 1.0);
+  EXPECT_EQ(value_at(row, 0.4), 2.0);
+  EXPECT_EQ(value_at(row, 1.0), 4.0);
+  const Row wall{solver::find_quantity("chamber.wall"), 1.0, 0.0, 1.0};
+  EXPECT_EQ(value_at(wall, 0.49), 0.0);
+  EXPECT_EQ(value_at(wall, 0.5), 1.0);
+}
+
+}  // namespace
+}  // namespace cpt::parameters

@@ -1,0 +1,163 @@
+// The latin hypercube and the polynomial chaos that reads it.
+#include "parameters/designs/latin_hypercube.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "parameters/designs/polynomial_chaos.hpp"
+#include "tests/parameters/designs/functions.hpp"
+
+namespace cpt::parameters {
+namespace {
+
+using Eigen::Index;
+
+std::vector<bool> numbers(int parameters) { return std::vector<bool>(static_cast<std::size_t>(parameters)); }
+
+ChaosIndices indices_of(const Function& function, int parameters, int runs, std::uint64_t seed = 1) {
+  const Eigen::MatrixXd places = latin_hypercube_places(parameters, runs, seed);
+  return polynomial_chaos(places, numbers(parameters), results_of(function, places), seed);
+}
+
+// Within the interval, or within what the expansion says it misses.
+void expect_held(const ChaosIndices& fit, const std::vector<Estimate>& estimates,
+                 const Eigen::VectorXd& exact, const char* what) {
+  const double missed = 1.0 - fit.q2;
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    const double truth = exact(static_cast<Index>(i));
+    EXPECT_LE(estimates[i].lower - missed, truth) << what << ' ' << i;
+    EXPECT_GE(estimates[i].upper + missed, truth) << what << ' ' << i;
+  }
+}
+
+TEST(LatinHypercube, HasOnePlaceInEveryIntervalOfEveryParameter) {
+  const Eigen::MatrixXd places = latin_hypercube_places(3, 20, 5);
+  for (Index j = 0; j < 3; ++j) {
+    Eigen::VectorXi hits = Eigen::VectorXi::Zero(20);
+    for (Index run = 0; run < 20; ++run) ++hits(static_cast<Index>(20.0 * places(run, j)));
+    EXPECT_TRUE((hits.array() == 1).all());
+  }
+  EXPECT_EQ(places, latin_hypercube_places(3, 20, 5));
+  EXPECT_NE(places, latin_hypercube_places(3, 20, 6));
+}
+
+// A polynomial within the basis: exact, and it says so.
+TEST(PolynomialChaos, PolynomialIsExact) {
+  const auto fit = indices_of([](const auto& u) { return 5.0 + 3.0 * u(0) + 4.0 * u(1); }, 3, 30);
+  EXPECT_EQ(fit.problem, "");
+  EXPECT_NEAR(fit.q2, 1.0, 1e-12);
+  EXPECT_NEAR(fit.first[0].value, 9.0 / 25.0, 1e-12);
+  EXPECT_NEAR(fit.total[1].lower, 16.0 / 25.0, 1e-9);
+  EXPECT_NEAR(fit.total[1].upper, 16.0 / 25.0, 1e-9);
+  EXPECT_NEAR(fit.total[2].value, 0.0, 1e-12);
+  EXPECT_EQ(fit.used, 30);
+}
+
+TEST(PolynomialChaos, IshigamiMeetsItsExactIndices) {
+  const auto exact = ishigami_indices();
+  const auto fit = indices_of(ishigami, 3, 300);
+  EXPECT_GT(fit.q2, 0.95);
+  expect_held(fit, fit.first, exact.first, "first");
+  expect_held(fit, fit.total, exact.total, "total");
+}
+
+TEST(PolynomialChaos, GFunctionMeetsItsExactIndices) {
+  const auto fit = indices_of(g_function, 4, 400);
+  EXPECT_GT(fit.q2, least_q2);
+  expect_held(fit, fit.first, g_first(), "first");
+  expect_held(fit, fit.total, g_total(), "total");
+}
+
+TEST(PolynomialChaos, BoreholeMeetsItsQuadrature) {
+  const auto exact = borehole_indices();
+  const auto fit = indices_of(borehole, 8, 120);
+  EXPECT_GT(fit.q2, 0.97);
+  expect_held(fit, fit.first, exact.first, "first");
+  expect_held(fit, fit.total, exact.total, "total");
+}
+
+// Noise that no polynomial explains: the intervals of the coefficients hold the shares of what is explained.
+TEST(PolynomialChaos, IntervalsCover) {
+  constexpr int trials = 100;
+  int held = 0;
+  for (int seed = 0; seed < trials; ++seed) {
+    const auto fit =
+        indices_of([](const auto& u) { return u(0) + 2.0 * u(1) + 0.05 * std::sin(1e4 * (u(0) + u(1))); }, 2,
+                   40, static_cast<std::uint64_t>(seed));
+    held += fit.first[1].lower <= 0.8 && 0.8 <= fit.first[1].upper ? 1 : 0;
+  }
+  EXPECT_GE(held / static_cast<double>(trials), 0.88);
+  EXPECT_LE(held / static_cast<double>(trials), 1.0);
+}
+
+// Leave-one-out by the leverages is the same as leaving out run after run.
+TEST(PolynomialChaos, Q2IsThatOfRunsLeftOut) {
+  const Eigen::MatrixXd places = latin_hypercube_places(1, 12, 3);
+  const Eigen::VectorXd y =
+      results_of([](const auto& u) { return u(0) + 0.1 * std::sin(40.0 * u(0)); }, places);
+  const auto fit = polynomial_chaos(places, numbers(1), y, 1);
+  ASSERT_EQ(fit.degree, 1);
+  double squares = 0.0;
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();  // of the orthonormal basis
+  for (Index out = 0; out < 12; ++out) {
+    const double legendre = std::sqrt(3.0) * (2.0 * places(out, 0) - 1.0);
+    information += Eigen::Vector2d(1.0, legendre) * Eigen::RowVector2d(1.0, legendre);
+    double n = 0, x = 0, xx = 0, sy = 0, xy = 0;
+    for (Index run = 0; run < 12; ++run) {
+      if (run == out) continue;
+      const double u = places(run, 0);
+      n += 1, x += u, xx += u * u, sy += y(run), xy += u * y(run);
+    }
+    const double slope = (n * xy - x * sy) / (n * xx - x * x), intercept = (sy - slope * x) / n;
+    squares += std::pow(y(out) - intercept - slope * places(out, 0), 2);
+  }
+  const double variance = (y.array() - y.mean()).square().sum();
+  const double correction =
+      12.0 / 10.0 * (1.0 + (information(0, 0) + information(1, 1)) / information.determinant());
+  EXPECT_NEAR(fit.q2, 1.0 - squares / variance * correction, 1e-10);
+}
+
+// A choice has two values: it is no polynomial of higher degree and needs no half-way runs.
+TEST(PolynomialChaos, ChoiceHasItsShare) {
+  Eigen::MatrixXd places = latin_hypercube_places(2, 40, 2);
+  for (double& place : places.col(1)) place = place < 0.5 ? 0.0 : 1.0;
+  const auto fit =
+      polynomial_chaos(places, {false, true},
+                       results_of([](const auto& u) { return u(0) + 0.5 * u(1) + u(0) * u(1); }, places), 1);
+  // With the choice c and x = 2 u - 1: variance of (1 + c) u + c / 2 = 1/12 (1.5^2 + 0.5^2) + 1/4.
+  const double first = 1.5 * 1.5 / 12.0, both = 0.5 * 0.5 / 12.0, choice = 0.25;
+  EXPECT_NEAR(fit.q2, 1.0, 1e-10);
+  EXPECT_NEAR(fit.first[0].value, first / (first + both + choice), 1e-10);
+  EXPECT_NEAR(fit.first[1].value, choice / (first + both + choice), 1e-10);
+  EXPECT_NEAR(fit.total[1].value, (choice + both) / (first + both + choice), 1e-10);
+}
+
+TEST(PolynomialChaos, SaysThatItIsNotToBeBelieved) {
+  const auto fit =
+      indices_of([](const auto& u) { return std::sin(60.0 * u(0)) * std::sin(70.0 * u(1)); }, 2, 30);
+  EXPECT_LT(fit.q2, least_q2);
+  EXPECT_NE(fit.problem.find("not to be believed"), std::string::npos) << fit.problem;
+}
+
+TEST(PolynomialChaos, LeavesFailedRunsOut) {
+  const Eigen::MatrixXd places = latin_hypercube_places(3, 40, 1);
+  Eigen::VectorXd y = results_of([](const auto& u) { return 3.0 * u(0) + 4.0 * u(1); }, places);
+  y(0) = y(7) = std::nan("");
+  const auto fit = polynomial_chaos(places, numbers(3), y, 1);
+  EXPECT_EQ(fit.used, 38);
+  EXPECT_EQ(fit.dropped, 2);
+  EXPECT_NEAR(fit.first[0].value, 0.36, 1e-10);
+}
+
+TEST(PolynomialChaos, TooFewRunsAndConstantResultsAreUndefined) {
+  const auto few = indices_of([](const auto& u) { return u(0); }, 3, 7);
+  EXPECT_TRUE(std::isnan(few.first[0].value));
+  EXPECT_NE(few.problem.find("7 completed runs, 3 parameters need 8"), std::string::npos) << few.problem;
+  const auto constant = indices_of([](const auto&) { return 4.0; }, 3, 30);
+  EXPECT_TRUE(std::isnan(constant.total[0].value));
+  EXPECT_NE(constant.problem.find("does not vary"), std::string::npos) << constant.problem;
+}
+
+}  // namespace
+}  // namespace cpt::parameters

@@ -1,0 +1,110 @@
+#include "parameters/designs/sobol.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/parameters/designs/functions.hpp"
+
+namespace cpt::parameters {
+namespace {
+
+using Eigen::Index;
+
+void expect_held(const std::vector<Estimate>& estimates, const Eigen::VectorXd& exact, double widest,
+                 const char* what, double accuracy = 0.0) {
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    const double truth = exact(static_cast<Index>(i));
+    EXPECT_LE(estimates[i].lower, truth + accuracy) << what << ' ' << i;
+    EXPECT_GE(estimates[i].upper, truth - accuracy) << what << ' ' << i;
+    EXPECT_LE(estimates[i].upper - estimates[i].lower, widest) << what << ' ' << i;
+  }
+}
+
+SobolIndices indices_of(const Function& function, int parameters, int rows, std::uint64_t seed = 1) {
+  return sobol_indices(parameters, results_of(function, sobol_places(parameters, rows, seed)), seed);
+}
+
+TEST(Sobol, RowsAreABAndAWithOneColumnOfB) {
+  const Eigen::MatrixXd places = sobol_places(3, 8, 1);
+  ASSERT_EQ(places.rows(), 40);
+  EXPECT_GE(places.minCoeff(), 0.0);
+  EXPECT_LT(places.maxCoeff(), 1.0);
+  for (Index row = 0; row < 8; ++row)
+    for (Index i = 0; i < 3; ++i)
+      for (Index j = 0; j < 3; ++j)
+        EXPECT_EQ(places(5 * row + 2 + i, j), places(5 * row + (i == j ? 1 : 0), j));
+}
+
+// Of 2^m points of the sequence every interval of length 2^-m holds one, in each dimension, shifted or not.
+TEST(Sobol, PointsAreBalanced) {
+  const Eigen::MatrixXd places = sobol_places(4, 16, 7);
+  for (Index half = 0; half < 2; ++half)
+    for (Index j = 0; j < 4; ++j) {
+      Eigen::VectorXi hits = Eigen::VectorXi::Zero(16);
+      for (Index row = 0; row < 16; ++row) ++hits(static_cast<Index>(16.0 * places(6 * row + half, j)));
+      EXPECT_TRUE((hits.array() == 1).all());
+    }
+}
+
+TEST(Sobol, SeedFixesThePoints) {
+  EXPECT_EQ(sobol_places(3, 8, 4), sobol_places(3, 8, 4));
+  EXPECT_NE(sobol_places(3, 8, 4), sobol_places(3, 8, 5));
+  EXPECT_EQ(sobol_places(3, 16, 4).topRows(8 * 5), sobol_places(3, 8, 4)) << "more keep what there is";
+}
+
+TEST(Sobol, IshigamiMeetsItsExactIndices) {
+  const auto exact = ishigami_indices();
+  const auto indices = indices_of(ishigami, 3, 2048);
+  expect_held(indices.first, exact.first, 0.15, "first");
+  expect_held(indices.total, exact.total, 0.15, "total");
+  EXPECT_EQ(indices.used, 2048);
+}
+
+TEST(Sobol, GFunctionMeetsItsExactIndices) {
+  const auto indices = indices_of(g_function, 4, 2048);
+  expect_held(indices.first, g_first(), 0.2, "first");
+  expect_held(indices.total, g_total(), 0.2, "total");
+}
+
+TEST(Sobol, BoreholeMeetsItsQuadrature) {
+  const auto exact = borehole_indices();
+  const auto indices = indices_of(borehole, 8, 1024);
+  expect_held(indices.first, exact.first, 0.2, "first", borehole_accuracy);
+  expect_held(indices.total, exact.total, 0.2, "total", borehole_accuracy);
+}
+
+// A cheap case many times: a sum, whose shares are the squares of its weights.
+TEST(Sobol, IntervalsCover) {
+  constexpr int trials = 100;
+  int held = 0;
+  for (int seed = 0; seed < trials; ++seed) {
+    const auto indices =
+        indices_of([](const auto& u) { return u(0) + 2.0 * u(1); }, 2, 64, static_cast<std::uint64_t>(seed));
+    held += indices.first[1].lower <= 0.8 && 0.8 <= indices.first[1].upper ? 1 : 0;
+    held += indices.total[0].lower <= 0.2 && 0.2 <= indices.total[0].upper ? 1 : 0;
+  }
+  EXPECT_GE(held / (2.0 * trials), 0.93);  // more than 0.95: Sobol' points scatter less than random ones
+}
+
+TEST(Sobol, AFailedRunTakesItsRow) {
+  Eigen::VectorXd y = results_of(ishigami, sobol_places(3, 64, 1));
+  const auto whole = sobol_indices(3, y.tail(63 * 5), 1);
+  y(3) = std::nan("");  // of the first row
+  const auto indices = sobol_indices(3, y, 1);
+  EXPECT_EQ(indices.used, 63);
+  EXPECT_EQ(indices.dropped, 1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_DOUBLE_EQ(indices.first[i].value, whole.first[i].value);
+    EXPECT_DOUBLE_EQ(indices.total[i].upper, whole.total[i].upper);
+  }
+}
+
+TEST(Sobol, WithoutVarianceOrRowsNothingIsDefined) {
+  EXPECT_TRUE(std::isnan(sobol_indices(3, Eigen::VectorXd::Constant(40, 5.0), 1).total[0].value));
+  const auto none = sobol_indices(3, Eigen::VectorXd::Constant(40, std::nan("")), 1);
+  EXPECT_TRUE(std::isnan(none.first[0].value));
+  EXPECT_EQ(none.used, 0);
+  EXPECT_EQ(none.dropped, 8);
+}
+
+}  // namespace
+}  // namespace cpt::parameters

@@ -1,0 +1,196 @@
+// From a study with a [design] over its ledger to the table of its estimator.
+#include "results/effects.hpp"
+
+#include <set>
+
+#include "parameters/designs/design.hpp"
+#include "parameters/read_study.hpp"
+#include "results/query.hpp"
+#include "tests/results/campaign_fixture.hpp"
+
+namespace cpt::results {
+namespace {
+
+using parameters::Realization;
+using parameters::Study;
+
+class EffectsOf : public ScratchFolder {
+ protected:
+  // A study of three rows with a design, all of whose runs end; q_c = 1000 nu + 10 H + 50 wall + 4 nu H
+  // [kPa], up to the shape of the curve. Ids in `failing` fail.
+  Snapshot run(const std::string& design, const std::set<std::string>& failing = {},
+               const std::string& top = "") {
+    const std::string text = top +
+                             "profile = \"homogeneous_sand\"\npreset = \"quick\"\n"
+                             "[parameters]\n"
+                             "sand.nu = { baseline = 0.2, lower = 0.1, upper = 0.3 }\n"
+                             "sand.H = { baseline = 25, upper = 75 }\n"
+                             "chamber.wall = { baseline = \"rigid\", alternative = \"flexible\" }\n"
+                             "[[windows]]\nname = \"deep\"\nfrom_m = 0.30\nto_m = 0.32\n" +
+                             design;
+    auto parsed = parameters::parse_study(text, folder / "study.toml");
+    if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
+      throw std::runtime_error(parameters::format(*errors));
+    study = std::get<Study>(std::move(parsed));
+    const auto realizations = parameters::one_at_a_time(study);
+    Ledger ledger = Ledger::open_for_run(study, realizations, {text, false});
+    for (const Realization& realization : realizations) {
+      const std::string name(parameter_name(study, realization));
+      if (failing.contains("pending " + name)) continue;
+      const solver::Setup setup = make_setup(study, realization);
+      const double wall = setup.chamber.wall == solver::Wall::rigid ? 1.0 : 0.0;
+      const double level = 1e6 * setup.sand.nu + 1e4 * setup.sand.H + 5e4 * wall +
+                           4e3 * setup.sand.nu * setup.sand.H + 1e3 * setup.numerics.point_shift;
+      ledger.record(realization.id, failing.contains(name)
+                                        ? failed(solver::Status::did_not_converge, "made up")
+                                        : completed(level));
+    }
+    return read_snapshot(study.database);
+  }
+  // q_c in the window of a level of 1 kPa.
+  static double shape() {
+    const solver::DepthProfile profile = curve(1.0);
+    double sum = 0.0;
+    int bins = 0;
+    for (std::size_t i = 0; i < profile.depth.size(); ++i)
+      if (profile.depth[i] >= 0.30 && profile.depth[i] <= 0.32) sum += profile.q_c[i], ++bins;
+    return sum / bins;
+  }
+  static const EffectRow& row(const Effects& effects, std::string_view quantity, std::string_view parameter,
+                              std::string_view other = "") {
+    for (const EffectRow& r : effects.rows)
+      if (r.quantity == quantity && r.parameter == parameter && r.other_parameter == other) return r;
+    throw std::runtime_error("no such row");
+  }
+  Study study;
+};
+
+TEST_F(EffectsOf, PairsFindTheOnlyInteraction) {
+  const Effects effects = design_effects(run("[design]\nkind = \"pairs\"\n", {}, "repeats = 2\n"));
+  ASSERT_EQ(effects.rows.size(), 3U);
+  const EffectRow& both = row(effects, "interaction", "sand.nu", "sand.H");
+  EXPECT_NEAR(both.value, 0.5 * 4.0 * 0.2 * 50.0 * shape(), 1e-6);
+  EXPECT_EQ(both.used, 4);
+  EXPECT_EQ(both.note, "");
+  // Repeats at -0.4, 0 and 0.4 kPa times the shape: deviation 0.4, Student's t of 2 degrees of freedom 4.303.
+  EXPECT_NEAR(both.upper - both.value, 4.303 * 0.4 * shape(), 0.001);
+  const EffectRow& none = row(effects, "interaction", "sand.H", "chamber.wall");
+  EXPECT_NEAR(none.value, 0.0, 1e-9);
+  EXPECT_LT(none.lower, 0.0);
+  EXPECT_GT(none.upper, 0.0);
+}
+
+TEST_F(EffectsOf, AFailedCornerLeavesItsPairUndefined) {
+  const Effects effects = design_effects(run("[design]\nkind = \"pairs\"\n", {"pairs 1.3"}));
+  const EffectRow& broken = row(effects, "interaction", "sand.nu", "sand.H");
+  EXPECT_TRUE(std::isnan(broken.value));
+  EXPECT_EQ(broken.dropped, 1);
+  EXPECT_EQ(broken.note, "undefined: 1 of 4 runs failed");
+  const EffectRow& whole = row(effects, "interaction", "sand.H", "chamber.wall");
+  EXPECT_NEAR(whole.value, 0.0, 1e-9);
+  EXPECT_TRUE(std::isnan(whole.lower));
+  EXPECT_EQ(whole.note, "no interval: the study has no repeats");
+}
+
+TEST_F(EffectsOf, MorrisGivesWhatABoundToBoundChangeDoes) {
+  const Effects effects = design_effects(run("[design]\nkind = \"morris\"\ntrajectories = 8\n"));
+  EXPECT_EQ(effects.design, "morris");
+  ASSERT_EQ(effects.rows.size(), 9U);
+  // The choice from flexible to rigid, without interaction.
+  EXPECT_NEAR(row(effects, "mu", "chamber.wall").value, 50.0 * shape(), 1e-6);
+  EXPECT_NEAR(row(effects, "sigma", "chamber.wall").value, 0.0, 1e-6);
+  EXPECT_GT(row(effects, "sigma", "sand.nu").value, 1.0);
+  EXPECT_EQ(row(effects, "mu_star", "sand.H").used, 8);
+  EXPECT_EQ(row(effects, "mu_star", "sand.H").unit, "kPa");
+}
+
+TEST_F(EffectsOf, MorrisCountsWhatFailedAndWhatIsStillToRun) {
+  const Effects effects = design_effects(run("[design]\nkind = \"morris\"\nlevels = 8\ntrajectories = 8\n",
+                                             {"morris 2.1", "pending morris 5.4"}));
+  int dropped = 0;
+  for (const char* parameter : {"sand.nu", "sand.H", "chamber.wall"}) {
+    const EffectRow& of = row(effects, "mu_star", parameter);
+    EXPECT_EQ(of.used + of.dropped, 8);
+    EXPECT_NE(of.note.find(" runs failed, 1 still to run"), std::string::npos) << of.note;
+    dropped += of.dropped;
+  }
+  EXPECT_EQ(dropped, 2);
+}
+
+// The exact shares of q_c = 1000 nu + 10 H + 50 wall + 4 nu H in the box, to which the interaction adds
+// little.
+struct Shares {
+  double nu, H, wall, both;
+};
+Shares shares() {
+  const double nu = (1000.0 + 4.0 * 50.0) * 0.2, H = (10.0 + 4.0 * 0.2) * 50.0, both = 4.0 * 0.2 * 50.0;
+  const Shares v{nu * nu / 12.0, H * H / 12.0, 50.0 * 50.0 / 4.0, both * both / 144.0};
+  const double all = v.nu + v.H + v.wall + v.both;
+  return {v.nu / all, v.H / all, v.wall / all, v.both / all};
+}
+
+TEST_F(EffectsOf, LatinHypercubeGivesTheShares) {
+  const Effects effects =
+      design_effects(run("[design]\nkind = \"latin_hypercube\"\nruns = 40\n", {"latin hypercube 3"}));
+  const Shares exact = shares();
+  EXPECT_NEAR(row(effects, "first_order", "sand.H").value, exact.H, 1e-6);
+  EXPECT_NEAR(row(effects, "first_order", "chamber.wall").value, exact.wall, 1e-6);
+  EXPECT_NEAR(row(effects, "total_order", "sand.nu").value, exact.nu + exact.both, 1e-6);
+  EXPECT_NEAR(row(effects, "Q2", "").value, 1.0, 1e-9);
+  EXPECT_EQ(row(effects, "Q2", "").used, 39);
+  EXPECT_EQ(row(effects, "Q2", "").dropped, 1);
+  EXPECT_NE(row(effects, "Q2", "").note.find("1 of 40 runs failed; degree"), std::string::npos)
+      << row(effects, "Q2", "").note;
+}
+
+TEST_F(EffectsOf, SobolGivesTheSharesWithinItsIntervals) {
+  const Effects effects = design_effects(run("[design]\nkind = \"sobol\"\nruns = 64\n", {"sobol 9.B"}));
+  const Shares exact = shares();
+  const auto held = [&](const char* quantity, const char* parameter, double share) {
+    const EffectRow& of = row(effects, quantity, parameter);
+    EXPECT_LE(of.lower, share) << quantity << ' ' << parameter;
+    EXPECT_GE(of.upper, share) << quantity << ' ' << parameter;
+    EXPECT_EQ(of.used, 63);
+    EXPECT_EQ(of.dropped, 1);
+  };
+  held("first_order", "sand.nu", exact.nu);
+  held("first_order", "chamber.wall", exact.wall);
+  held("total_order", "sand.H", exact.H + exact.both);
+  held("total_order", "chamber.wall", exact.wall);
+}
+
+TEST_F(EffectsOf, AStudyWithoutDesignHasNone) {
+  EXPECT_TRUE(design_effects(run("")).rows.empty());
+  EXPECT_TRUE(query(study.database, "effects").rows.empty());
+}
+
+TEST_F(EffectsOf, TextThatIsNoStudyIsTold) {
+  Snapshot snapshot = run("[design]\nkind = \"pairs\"\n");
+  snapshot.campaign.study_text = "[study]\n";
+  EXPECT_TRUE(design_effects(snapshot).rows.empty());
+  EXPECT_NE(design_effects(snapshot).problem, "");
+}
+
+// A ledger whose rows are not those of its text: no number is taken for another.
+TEST_F(EffectsOf, RowsThatAreOthersDoNotCount) {
+  Snapshot snapshot = run("[design]\nkind = \"latin_hypercube\"\nruns = 20\n");
+  for (RealizationRow& realization : snapshot.realizations)
+    if (realization.parameter == "latin hypercube 4") realization.value_text = "sand.nu = 0.25";
+  EXPECT_EQ(row(design_effects(snapshot), "Q2", "").dropped, 1);
+  for (RealizationRow& realization : snapshot.realizations) realization.value_text = "other";
+  EXPECT_TRUE(design_effects(snapshot).rows.empty());
+}
+
+TEST_F(EffectsOf, QueryPrintsThem) {
+  run("[design]\nkind = \"morris\"\ntrajectories = 3\n");
+  const Table table = query(study.database, "effects");
+  EXPECT_EQ(table.rows.size(), 9U);
+  EXPECT_EQ(table.columns.front(), "window");
+  EXPECT_TRUE(
+      format(table, Format::csv)
+          .starts_with("window,parameter,other_parameter,quantity,unit,value,lower,upper,used,dropped,note\n"
+                       "deep,sand.nu,,mu_star,kPa,"));
+}
+
+}  // namespace
+}  // namespace cpt::results
