@@ -55,6 +55,13 @@ function effect_bars(window, drawn) {
   };
 }
 
+/// What holds for all inputs of a window; the notes of pairs are their own.
+function remarks(rows) {
+  const fit = rows.find((row) => row.quantity === "Q2");
+  if (fit) return [[`Polynomial chaos, Q² = ${decimals(fit.value, 3)}`, fit.note].filter((words) => words).join("; ")];
+  return data.design === "pairs" ? [] : new Set(rows.map((row) => row.note).filter((note) => note));
+}
+
 function effects() {
   if (!data.effects.length) return;
   const section = byId("effects");
@@ -64,8 +71,8 @@ function effects() {
   for (const window of data.windows) {
     const rows = data.effects.filter((row) => row.window === window.name);
     section.append(el("h3", {}, window.name));
-    for (const note of new Set(rows.filter((row) => row.note).map((row) => row.note)))
-      if (data.design !== "pairs") section.append(el("p", { class: note.includes("not to be believed") ? "warn" : null }, note));
+    for (const words of remarks(rows))
+      section.append(el("p", { class: words.includes("not to be believed") ? "warn" : null }, words));
     section.append(
       figure(`What the design says in window ${window.name}`, el("span", {}, drawn.words), effect_bars(window, drawn)),
       el("details", {}, el("summary", {}, `Numbers of the design in ${window.name}`),
