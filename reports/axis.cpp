@@ -36,11 +36,31 @@ Range widened(double low, double high, double fraction) {
   return {low - margin, high + margin};
 }
 
+namespace {
+
+/// About `count` ticks, fewer where their labels would touch.
+std::vector<Tick> ticks_that_fit(const Axis& axis, int count) {
+  constexpr double room = 5.0;  // between labels [pt]
+  for (; count > 2; --count) {
+    std::vector<Tick> all = ticks(axis.low, axis.high, count);
+    bool fit = true;
+    for (std::size_t i = 1; i < all.size(); ++i)
+      fit = fit &&
+            std::abs(axis(all[i].value) - axis(all[i - 1].value)) >
+                0.5 * (width(plain(all[i].label), label_size) + width(plain(all[i - 1].label), label_size)) +
+                    room;
+    if (fit) return all;
+  }
+  return ticks(axis.low, axis.high, 2);
+}
+
+}  // namespace
+
 void draw_horizontal(Svg& svg, const Box& plot, const Axis& axis, Edge edge, const Rich& title, int count) {
   const bool top = edge == Edge::top;
   const double y = top ? plot.y : plot.bottom();
   const double out = top ? -1.0 : 1.0;
-  for (const Tick& tick : ticks(axis.low, axis.high, count)) {
+  for (const Tick& tick : ticks_that_fit(axis, count)) {
     const double x = axis(tick.value);
     svg.line({x, plot.y}, {x, plot.bottom()}, grid);
     svg.line({x, y}, {x, y + out * tick_length}, tick_pen);

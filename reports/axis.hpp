@@ -32,7 +32,8 @@ struct Range {
 };
 [[nodiscard]] Range widened(double low, double high, double fraction);
 
-/// Grid lines, tick labels and title of a horizontal axis along the top or bottom of a plot.
+/// Grid lines, tick labels and title of a horizontal axis along the top or bottom of a plot; fewer ticks than
+/// `count` where their labels would touch.
 enum class Edge { top, bottom };
 void draw_horizontal(Svg& svg, const Box& plot, const Axis& axis, Edge edge, const Rich& title, int count);
 /// The same for a vertical axis along the left.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <set>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ struct Fault {
   int few, many;     ///< trials in a test, and for docs/reliability.md
   std::function<Finding(int trials, unsigned seed)> inject;
 };
+/// Names the fault where GoogleTest would print bytes.
+inline void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 
 [[nodiscard]] const std::vector<Fault>& all_faults();
 

@@ -44,7 +44,8 @@ TEST(Examples, HaveTheirRealizations) {
   // The baseline, the six bounds that differ from it, and what the design adds; corners of the pairs that the
   // bounds are already come once.
   expect_study("designs/pairs.toml", Profile::homogeneous_sand, Preset::quick, 7 + 13 + 6);
-  expect_study("designs/morris.toml", Profile::homogeneous_sand, Preset::quick, 7 + 6 * 5);
+  // Six of the 30 runs of its trajectories are runs that the study or another trajectory has.
+  expect_study("designs/morris.toml", Profile::homogeneous_sand, Preset::quick, 7 + 6 * 5 - 6);
   expect_study("designs/latin_hypercube.toml", Profile::homogeneous_sand, Preset::quick, 7 + 40);
   expect_study("designs/sobol.toml", Profile::homogeneous_sand, Preset::quick, 7 + 16 * 4);
 }

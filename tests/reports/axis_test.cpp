@@ -44,5 +44,20 @@ TEST(Axis, RangeWithoutWidthIsOpened) {
   EXPECT_GT(widened(0.0, 0.0, 0.1).high, 0.0);
 }
 
+TEST(Axis, LabelsDoNotTouch) {
+  const auto labels = [](double width_of_plot) {
+    Svg svg(300.0, 60.0, "axis");
+    const Box plot{20.0, 10.0, width_of_plot, 20.0};
+    draw_horizontal(svg, plot, {0.0, 16000.0, plot.x, plot.right()}, Edge::bottom, {}, 8);
+    const std::string text = svg.document("");
+    std::size_t count = 0;
+    for (auto at = text.find("000<"); at != std::string::npos; at = text.find("000<", at + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(labels(280.0), 8U);  // 2000 to 16000
+  EXPECT_LE(labels(140.0), 4U);
+  EXPECT_GE(labels(140.0), 2U);
+}
+
 }  // namespace
 }  // namespace cpt::reports
