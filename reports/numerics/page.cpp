@@ -39,7 +39,7 @@ std::string kilopascals(std::optional<double> value) { return value ? number(*va
 std::string presets(const std::vector<NumericsStudy>& studies) {
   std::string out = "\n## Presets\n\nBaselines of the profiles at the presets, as far as they were run.\n\n";
   out += table_head({"profile", "preset", "window", "q̄<sub>c</sub> (kPa)", "SI<sub>noise</sub>",
-                     "material points", "steps", "seconds on a shared core"});
+                     "material points", "steps"});
   for (const NumericsStudy& study : studies) {
     const Snapshot& s = study.campaign;
     const int baseline = study.repeats.front();
@@ -49,8 +49,7 @@ std::string presets(const std::vector<NumericsStudy>& studies) {
       const auto noise = noise_in(s, baseline, window.name);
       out += table_line({s.campaign.profile, s.campaign.preset, depth_range(window.from_m, window.to_m),
                          kilopascals(mean_in(s, baseline, window.name)), noise ? decimals(*noise, 4) : "–",
-                         fmt::format("{}", row->material_points), fmt::format("{}", row->steps),
-                         decimals(row->wall_s, 0)});
+                         fmt::format("{}", row->material_points), fmt::format("{}", row->steps)});
     }
   }
   return out;
