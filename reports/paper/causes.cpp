@@ -93,9 +93,10 @@ std::string in_numbers(const Evidence& evidence, const Studies& studies) {
   const Value change = relative_change(lower, upper);
   if (!change) return change.missing;
   const results::ParameterRow* parameter = study.parameter(evidence.parameter);
-  return fmt::format("`{}`: {} from {} to {} changes q<sub>c</sub> from {} to {} kPa ({})", evidence.study,
-                     study.symbol(evidence.parameter), parameter->lower_text, parameter->upper_text,
-                     number(lower.number, 4), number(upper.number, 4), percent(change.number));
+  return fmt::format("`{}`, window {}: {} from {} to {} changes q<sub>c</sub> from {} to {} kPa ({})",
+                     evidence.study, evidence.window, study.symbol(evidence.parameter), parameter->lower_text,
+                     parameter->upper_text, number(lower.number, 4), number(upper.number, 4),
+                     percent(change.number));
 }
 
 }  // namespace cpt::reports::paper

@@ -72,8 +72,8 @@ TEST_F(CauseFile, RowsAreThoseOfTheFindings) {
 
 TEST_F(CauseFile, EvidenceSpeaksFromTheDatabases) {
   const Studies studies = campaigns().studies();
-  EXPECT_EQ(in_numbers({"homogeneous_sand", "sand", "sand.H"}, studies).substr(0, 44),
-            "`homogeneous_sand`: H from 25 to 75 changes ");
+  EXPECT_EQ(in_numbers({"homogeneous_sand", "sand", "sand.H"}, studies).substr(0, 57),
+            "`homogeneous_sand`, window sand: H from 25 to 75 changes ");
   EXPECT_EQ(in_numbers({"elsewhere", "sand", "sand.H"}, studies), "elsewhere has not been run");
   EXPECT_EQ(in_numbers({"homogeneous_sand", "sand", "clay.G_kPa"}, studies),
             "homogeneous_sand: has no row clay.G_kPa");
@@ -85,8 +85,9 @@ TEST_F(CauseFile, StandsWhereTheRowDiffersAndNowhereElse) {
                                      {"S5", "walls\nof\nclay", {{"homogeneous_sand", "sand", "sand.H"}}}};
   const std::string text = finding_tables({campaigns().studies(), {}}, causes, nullptr);
   EXPECT_EQ(text.find("not to be told"), std::string::npos);
-  EXPECT_NE(text.find("- **S5 differs:** walls of clay\n  - `homogeneous_sand`: H from 25 to 75"),
-            std::string::npos);
+  EXPECT_NE(
+      text.find("- **S5 differs:** walls of clay\n  - `homogeneous_sand`, window sand: H from 25 to 75"),
+      std::string::npos);
   EXPECT_NE(text.find("- **M1 differs:** the cause is not known yet.\n"), std::string::npos);
 }
 
