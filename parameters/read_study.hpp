@@ -24,8 +24,7 @@
 //     # an alternative becomes the bound on its side of the baseline: the smaller number, or the choice
 //     listed # earlier, is the lower bound. A bound equal to the baseline reuses the baseline run.
 //
-//   [design]                              # optional: runs beside those that change one input at a time,
-//   docs/designs.md
+//   [design]                              # optional: more runs beside one-at-a-time (docs/designs.md)
 //   kind = "morris"                       # one_at_a_time (default), pairs, morris, latin_hypercube, sobol
 //   trajectories = 10                     # also levels = 4; of latin_hypercube and sobol: runs
 //   seed = 1

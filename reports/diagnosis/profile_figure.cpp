@@ -68,6 +68,7 @@ std::string profile_figure(const DiagnosisInput& input) {
   const double most = greatest(input);
   const VectorXd null = in_kPa(d.recalibrated.curve);
   const VectorXd with = d.best ? in_kPa(d.with_best.curve) : VectorXd();
+  const std::vector<std::size_t> others = rivals(input);
   for (std::size_t s = 0; s < input.soundings.size(); ++s) {
     const Box box = panels.box(s);
     const Axis across{0.0, most, box.x, box.right()}, depth = panels.depth(s);
@@ -76,8 +77,8 @@ std::string profile_figure(const DiagnosisInput& input) {
     draw_curve(svg, input.soundings[s].baseline, across, depth, baseline_pen);
     draw_curve(svg, input.soundings[s].recorded, across, depth, recorded_pen);
     svg.polyline(cell_line(input, s, null, across, depth), null_pen);
-    for (std::size_t k = 0; k < rivals(input).size(); ++k)
-      svg.polyline(cell_line(input, s, in_kPa(d.with[rivals(input)[k]].curve), across, depth), rival_pen(k));
+    for (std::size_t k = 0; k < others.size(); ++k)
+      svg.polyline(cell_line(input, s, in_kPa(d.with[others[k]].curve), across, depth), rival_pen(k));
     if (d.best) svg.polyline(cell_line(input, s, with, across, depth), mechanism_pen);
     if (input.soundings[s].solver) draw_curve(svg, *input.soundings[s].solver, across, depth, solver_pen);
     svg.end_clip();
