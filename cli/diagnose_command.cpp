@@ -27,6 +27,7 @@ using namespace diagnosis;
 
 struct Arguments {
   std::vector<std::filesystem::path> requests;
+  std::filesystem::path recordings;
   bool plan = false, quiet = false, no_report = false;
   std::string executor;
   campaign::RunOptions options;
@@ -76,13 +77,15 @@ void print_plan(const RequestFile& asked) {
 int run(const Arguments& arguments) {
   if (arguments.plan) {
     if (campaign::rank_from_environment() == 0)
-      for (const auto& request : arguments.requests) print_plan(read_request_file(request));
+      for (const auto& request : arguments.requests)
+        print_plan(read_request_file(request, arguments.recordings));
     return all_well;
   }
   return run_as_master(arguments.options, [&](campaign::Transport& transport, bool& ranks_lost) {
     // All are read first: nothing runs before all are sound.
     std::vector<RequestFile> asked;
-    for (const auto& request : arguments.requests) asked.push_back(read_request_file(request));
+    for (const auto& request : arguments.requests)
+      asked.push_back(read_request_file(request, arguments.recordings));
     for (const RequestFile& one : asked) {
       StudyRunner runner(arguments.options, arguments.quiet, one.study_text, transport);
       if (asked.size() > 1) fmt::print("== {}\n", one.request.title);
@@ -104,6 +107,12 @@ void add_diagnose(CLI::App& program, Action& action) {
                    "NAME.toml: the study, the recordings, the mechanisms; the answer goes to NAME.sqlite")
       ->type_name("")
       ->required();
+  command
+      ->add_option(
+          "--recordings", arguments->recordings,
+          "Where recordings lie that are not beside the request [the folder that CPT_RECORDINGS names]")
+      ->type_name("FOLDER")
+      ->envname("CPT_RECORDINGS");
   command->add_flag("--plan", arguments->plan, "Print how many realizations it takes, and quit");
   command->add_flag("--no-report", arguments->no_report, "The answer only, no page and figures");
   command

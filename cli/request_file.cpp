@@ -23,7 +23,7 @@ recordings::Recording read_recording(const SoundingRequest& sounding) {
 
 }  // namespace
 
-RequestFile read_request_file(const std::filesystem::path& file) {
+RequestFile read_request_file(const std::filesystem::path& file, const std::filesystem::path& recordings) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream.is_open()) throw BadInput(fmt::format("cannot read the request {}", file.string()));
   const std::string text(std::istreambuf_iterator<char>(stream), {});
@@ -38,6 +38,10 @@ RequestFile read_request_file(const std::filesystem::path& file) {
   if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
     throw BadInput(parameters::format(*errors));
   asked.request = std::get<Request>(std::move(parsed));
+  const std::filesystem::path here = asked.request.file.parent_path();
+  for (SoundingRequest& sounding : asked.request.soundings)
+    if (!recordings.empty() && !std::filesystem::exists(sounding.recording))
+      sounding.recording = recordings / sounding.recording.lexically_relative(here);
   return asked;
 }
 

@@ -16,8 +16,10 @@ struct RequestFile {
   diagnosis::Request request;
 };
 
+/// Recordings that are not where the request says are looked for in `recordings`, if that is not empty.
 /// Throws BadInput with all that is wrong in request and study.
-[[nodiscard]] RequestFile read_request_file(const std::filesystem::path& file);
+[[nodiscard]] RequestFile read_request_file(const std::filesystem::path& file,
+                                            const std::filesystem::path& recordings = {});
 
 /// Its soundings with their recordings and the studies to run, not yet run. Throws BadInput for recordings
 /// that cannot be read or are useless.

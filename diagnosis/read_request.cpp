@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/fields.hpp"
 #include "parameters/read_quantities.hpp"
 #include "recordings/csv.hpp"
@@ -177,12 +178,29 @@ class RequestReader {
         for (const Setting& setting :
              read_settings(fixed->value, joined(list, "fixed"), {}, study_.baseline, false, errors_))
           sounding.changes.push_back({setting.quantity, setting.value});
+      check_bounds(fixed->place, joined(list, "fixed"), sounding);
     }
     if (!from || !to) return;
     sounding.from = *from;
     sounding.to = *to;
     check_depths(table, list, sounding);
     into.push_back(std::move(sounding));
+  }
+
+  // What is known of the sounding must be possible at every bound of the study.
+  void check_bounds(Place place, const std::string& key, const SoundingRequest& sounding) {
+    Study known = study_;
+    known.points.clear();
+    for (const Change& change : sounding.changes) {
+      change.quantity->set_value(known.baseline, change.value);
+      std::erase_if(known.rows, [&](const Row& row) { return row.quantity == change.quantity; });
+    }
+    for (const Realization& realization : one_at_a_time(known))
+      for (const solver::Problem& problem : solver::problems(make_setup(known, realization)))
+        return errors_.add(
+            place, key,
+            fmt::format("is impossible with the study's {} ({}): {}", parameter_name(known, realization),
+                        to_string(realization.side), problem.message));
   }
 
   void check_depths(const Value& table, std::string_view list, const SoundingRequest& sounding) {

@@ -48,7 +48,9 @@ void FirstPush::look(double depth, const MaterialPoints& points) {
     ++filled;
   }
   if (filled == 0) return;
-  left_.sigma_v_ratio = 1.0 + asked_.share * (ratio_v / static_cast<double>(filled) - 1.0);
+  const double stress_share = asked_.share * asked_.stress_share;
+  const double void_ratio_share = asked_.share * asked_.void_ratio_share;
+  left_.sigma_v_ratio = 1.0 + stress_share * (ratio_v / static_cast<double>(filled) - 1.0);
   left_.sigma_h_ratio.assign(count, 1.0);
   left_.void_ratio_change.assign(count, 0.0);
   for (std::size_t k = 0; k < count; ++k) {
@@ -57,11 +59,11 @@ void FirstPush::look(double depth, const MaterialPoints& points) {
     if (bin.volume > 0.0) {
       const double ratio = bin.sigma_h / bin.volume / horizontal_stress(setup_, {}, -middle);
       // The second push's K_0 stress grows with sigma_v0 already.
-      left_.sigma_h_ratio[k] = (1.0 + asked_.share * (ratio - 1.0)) / left_.sigma_v_ratio;
+      left_.sigma_h_ratio[k] = (1.0 + stress_share * (ratio - 1.0)) / left_.sigma_v_ratio;
     }
     if (bin.sand_volume > 0.0)
       left_.void_ratio_change[k] =
-          asked_.share * (bin.e / bin.sand_volume - sand_void_ratio(setup_, {}, middle));
+          void_ratio_share * (bin.e / bin.sand_volume - sand_void_ratio(setup_, {}, middle));
   }
 }
 

@@ -38,7 +38,17 @@ Mechanism previous_push_mechanism() {
            {number<&Setup::mechanisms, &Mechanisms::previous_push, &PreviousPush::spacing>(
                 "previous_push.spacing_m", "d_prev", metres, 0.02, 5.0, any_soil,
                 "distance between the axes of the two pushes", "Yost et al. (2023), section 3.1: 0.26 m"),
-            0.26, 0.26}}};
+            0.26, 0.26},
+           {number<&Setup::mechanisms, &Mechanisms::previous_push, &PreviousPush::stress_share>(
+                "previous_push.stress_share", "s_prev,σ", none, 0.0, 3.0, any_soil,
+                "part of the share that holds for the stress; 0: the density's effect alone",
+                "Yost et al. (2023), section 6.3.1"),
+            1.0, 1.0},
+           {number<&Setup::mechanisms, &Mechanisms::previous_push, &PreviousPush::void_ratio_share>(
+                "previous_push.void_ratio_share", "s_prev,e", none, 0.0, 3.0, any_soil,
+                "part of the share that holds for the void ratio; 0: the stress's effect alone",
+                "Yost et al. (2023), section 6.3.2"),
+            1.0, 1.0}}};
 }
 
 }  // namespace cpt::solver

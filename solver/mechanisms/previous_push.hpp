@@ -13,6 +13,9 @@ namespace cpt::solver {
 struct PreviousPush {
   double share = 0.0;     // [-] of the change that the first push leaves behind
   double spacing = 0.26;  // [m] between the axes
+  // What part of it is taken over; 0 and 1 tell the one effect from the other.
+  double stress_share = 1.0;      // [-] of the changed stress
+  double void_ratio_share = 1.0;  // [-] of the changed void ratio
 
   [[nodiscard]] bool on() const { return share != 0.0; }
 };

@@ -131,6 +131,25 @@ TEST_F(Diagnose, BadInputIsToldBeforeAnythingRuns) {
   EXPECT_NE(units.err.find("unit of q_c"), std::string::npos) << units.err;
 }
 
+// Recordings that others may not pass on lie in a folder of the user's.
+TEST_F(Diagnose, RecordingsMayLieInAnotherFolder) {
+  std::filesystem::create_directory(folder.file("elsewhere"));
+  write_recording("elsewhere/a.csv", 0.0);
+  const auto plan = [&](std::vector<std::string> more, const std::vector<std::string>& variables) {
+    std::vector<std::string> command = {"diagnose", folder.file("d.toml"), "--plan"};
+    command.insert(command.end(), more.begin(), more.end());
+    return run(campaign(command), variables);
+  };
+  const Result nowhere = plan({}, {"CPT_RECORDINGS="});
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_NE(nowhere.err.find("a.csv"), std::string::npos) << nowhere.err;
+  EXPECT_EQ(plan({"--recordings", folder.file("elsewhere")}, {}).exit_code, 0);
+  EXPECT_EQ(plan({}, {"CPT_RECORDINGS=" + folder.file("elsewhere")}).exit_code, 0);
+  // One beside the request goes first.
+  write_recording("a.csv", 0.0);
+  EXPECT_EQ(plan({"--recordings", folder.file("nowhere")}, {}).exit_code, 0);
+}
+
 TEST_F(Diagnose, PlanTellsHowMuchItTakes) {
   write_recording("a.csv", 0.0);
   const Result result = run(campaign({"diagnose", folder.file("d.toml"), "--plan"}));

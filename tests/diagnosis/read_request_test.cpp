@@ -78,6 +78,9 @@ TEST(ReadRequest, ErrorsSayWhereWhatAndWhatInstead) {
         Case{study + sounding + "columns = { q_t_MPa = \"q\" }\n", "soundings.columns.q_t_MPa", "q_c_MPa"},
         Case{study + sounding + "fixed = { \"sand.H\" = -1 }\n", "soundings.fixed.sand.H",
              "outside the valid range"},
+        // K_0 far beyond what the sand bears: known to all runs of the sounding, so told before the first.
+        Case{study + sounding + "fixed = { \"initial.sigma_h0_kPa\" = 400 }\n", "soundings.fixed",
+             "impossible with the study's"},
         Case{study + "[noise]\nmeasurement_percent = -1\n" + sounding, "noise.measurement_percent",
              "above 0"},
         Case{study + "[options]\nrepeats = 1\n" + sounding, "options.repeats", "from 3 to 1000"}}) {

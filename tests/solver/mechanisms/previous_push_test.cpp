@@ -63,5 +63,29 @@ TEST(PreviousPush, NearbyRaisesTheResistance) {
   EXPECT_GT(second, 1.05 * first);
 }
 
+// Stress and density, taken over one at a time, each leave the other as it was; together they are the whole.
+TEST(PreviousPush, StressAndDensityCanBeTakenOverAlone) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.06);
+  setup.chamber.radius = 0.20;
+  const auto left_behind = [&](double stress, double density) {
+    setup.mechanisms.previous_push = {0.8, 0.06, stress, density};
+    Observer nobody;
+    FirstPush first(setup, nobody);
+    EXPECT_EQ(simulate(first.setup(), first, {1}).status, Status::completed);
+    return first.left_behind();
+  };
+  const LeftBehind both = left_behind(1.0, 1.0);
+  const LeftBehind stress = left_behind(1.0, 0.0);
+  const LeftBehind density = left_behind(0.0, 1.0);
+  EXPECT_NE(both.sigma_v_ratio, 1.0);
+  EXPECT_EQ(stress.sigma_v_ratio, both.sigma_v_ratio);
+  EXPECT_EQ(stress.sigma_h_ratio, both.sigma_h_ratio);
+  EXPECT_EQ(stress.void_ratio_change, std::vector<double>(stress.void_ratio_change.size(), 0.0));
+  EXPECT_EQ(density.sigma_v_ratio, 1.0);
+  EXPECT_EQ(density.sigma_h_ratio, std::vector<double>(density.sigma_h_ratio.size(), 1.0));
+  EXPECT_EQ(density.void_ratio_change, both.void_ratio_change);
+  EXPECT_LT(density.void_ratio_change[0], 0.0);  // loose sand is compacted
+}
+
 }  // namespace
 }  // namespace cpt::solver
