@@ -48,6 +48,7 @@ class Check {
   void layers();
   void sand();
   void clay();
+  bool wall_shear(const Layer& layer, double K_0);
   void geometry();
   bool zones();
   void cells();
@@ -131,7 +132,10 @@ void Check::clay() {
   for (const Layer& layer : setup_.layers) {
     if (layer.soil != Soil::clay) continue;
     const double q = std::abs(1.0 - K_0) * vertical_stress(setup_, -layer.bottom);
-    if (q <= 2.0 * setup_.clay.s_u) continue;
+    if (q <= 2.0 * setup_.clay.s_u) {
+      if (!wall_shear(layer, K_0)) return;
+      continue;
+    }
     add("initial.sigma_h0_kPa", fmt::format("{} and {} (K_0 = {:.3g}) make a stress difference of {:.3g} kPa "
                                             "at {} m, but Tresca bears at most "
                                             "2 s_u, and {}",
@@ -139,6 +143,24 @@ void Check::clay() {
                                             q / 1e3, layer.bottom, given("clay.s_u_kPa")));
     return;
   }
+}
+
+// At the wall its friction comes on top of the stress difference.
+bool Check::wall_shear(const Layer& layer, double K_0) {
+  const double coefficient = setup_.mechanisms.wall_friction.coefficient;
+  for (const double depth : {layer.top, layer.bottom}) {
+    const double sigma_v = vertical_stress(setup_, -depth);
+    const double shear = coefficient * K_0 * sigma_v;
+    const double largest = std::hypot(0.5 * (1.0 - K_0) * sigma_v, shear);
+    if (largest <= setup_.clay.s_u) continue;
+    add("wall_friction.coefficient",
+        fmt::format("{} makes a shear stress of {:.3g} kPa at the wall at {} m, with that of K_0 = {:.3g} "
+                    "{:.3g} kPa, but Tresca bears at most s_u, and {}",
+                    given("wall_friction.coefficient"), shear / 1e3, depth, K_0, largest / 1e3,
+                    given("clay.s_u_kPa")));
+    return false;
+  }
+  return true;
 }
 
 void Check::geometry() {
