@@ -11,6 +11,7 @@ namespace cpt::solver {
 FirstPush::FirstPush(const Setup& setup, Observer& observer)
     : setup_(setup), asked_(setup.mechanisms.previous_push), observer_(observer) {
   setup_.mechanisms.previous_push = {};
+  if (asked_.depth > 0.0) setup_.penetrometer.final_depth = asked_.depth;
 }
 
 double FirstPush::next_look() const {

@@ -170,6 +170,14 @@ void Check::geometry() {
     add("chamber.radius_m",
         fmt::format("{} must exceed twice {}", given("chamber.radius_m"), given("penetrometer.diameter_m")));
   const PreviousPush& previous = setup_.mechanisms.previous_push;
+  if (previous.on() && previous.depth > 0.0) {
+    Setup first = setup_;
+    first.mechanisms.previous_push = {};
+    first.penetrometer.final_depth = previous.depth;
+    for (const Problem& problem : Check(first).run())
+      if (problem.quantity == "penetrometer.final_depth_m")
+        add("previous_push.depth_m", fmt::format("of the first push: {}", problem.message));
+  }
   if (previous.on() && previous.spacing >= setup_.chamber.radius)
     add("previous_push.spacing_m",
         fmt::format("{} must be below {}: the first push leaves nothing outside the chamber",

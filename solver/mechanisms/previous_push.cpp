@@ -38,7 +38,7 @@ Mechanism previous_push_mechanism() {
            {number<&Setup::mechanisms, &Mechanisms::previous_push, &PreviousPush::spacing>(
                 "previous_push.spacing_m", "d_prev", metres, 0.02, 5.0, any_soil,
                 "distance between the axes of the two pushes", "Yost et al. (2023), section 3.1: 0.26 m"),
-            0.26, 0.26},
+            0.10, 0.26},  // the zone that decides the second q_c reaches towards the first push
            {number<&Setup::mechanisms, &Mechanisms::previous_push, &PreviousPush::stress_share>(
                 "previous_push.stress_share", "s_prev,σ", none, 0.0, 3.0, any_soil,
                 "part of the share that holds for the stress; 0: the density's effect alone",
@@ -48,7 +48,12 @@ Mechanism previous_push_mechanism() {
                 "previous_push.void_ratio_share", "s_prev,e", none, 0.0, 3.0, any_soil,
                 "part of the share that holds for the void ratio; 0: the stress's effect alone",
                 "Yost et al. (2023), section 6.3.2"),
-            1.0, 1.0}}};
+            1.0, 1.0},
+           {number<&Setup::mechanisms, &Mechanisms::previous_push, &PreviousPush::depth>(
+                "previous_push.depth_m", "z_prev", metres, 0.0, 5.0, any_soil,
+                "depth that the first push reached; 0: that of this one",
+                "Yost et al. (2023), section 3.1: the whole profile"),
+            0.0, 0.0}}};
 }
 
 }  // namespace cpt::solver

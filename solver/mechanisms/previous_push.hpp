@@ -1,10 +1,11 @@
 // An earlier push nearby: its stress and void ratio, found by simulating it, are the start of this one.
 //
-// The first push runs in the same chamber to the same depth. At `spacing` from its axis, about where this
+// The first push runs in the same chamber. At `spacing` from its axis, about where this
 // push goes, it leaves sigma'_h(z) / sigma'_h0, e(z) - e_0 and a mean sigma'_v / sigma'_v0 (Yost et al. 2023,
 // section 6.3, which takes one number for each). This push starts with `share` of these changes, the same all
-// around its own axis. Vertical equilibrium allows one factor on sigma'_v only, horizontal equilibrium any
-// function of depth.
+// around its own axis. The soil that decides its q_c lies on both sides of that axis, and nearer to the first
+// push the change is larger: a spacing below that of the axes stands for it. Vertical equilibrium allows one
+// factor on sigma'_v only, horizontal equilibrium any function of depth.
 #pragma once
 #include <vector>
 
@@ -16,6 +17,7 @@ struct PreviousPush {
   // What part of it is taken over; 0 and 1 tell the one effect from the other.
   double stress_share = 1.0;      // [-] of the changed stress
   double void_ratio_share = 1.0;  // [-] of the changed void ratio
+  double depth = 0.0;             // [m] of the first push; 0: that of this one
 
   [[nodiscard]] bool on() const { return share != 0.0; }
 };

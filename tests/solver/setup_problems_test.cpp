@@ -53,7 +53,8 @@ TEST(Problems, ImpossibleSetups) {
       {"initial.sigma_h0_kPa", "K_0 = 6",
        [](solver::Setup& s) { s.initial.sigma_h0 = 300.0e3, s.clay.s_u = 900.0e3; }},
       {"initial.sigma_h0_kPa", "clay.s_u_kPa = 12", [](solver::Setup& s) { s.clay.s_u = 12.0e3; }},
-      {"wall_friction.coefficient", "clay.s_u_kPa = 20",  // 12.5 kPa of K_0 with 15 kPa of friction: 19.5 on top
+      {"wall_friction.coefficient",
+       "clay.s_u_kPa = 20",  // 12.5 kPa of K_0 with 15 kPa of friction: 19.5 on top
        [](solver::Setup& s) { s.clay.s_u = 20.0e3, s.mechanisms.wall_friction.coefficient = 0.7; }},
       {"layers", "no layer", [](solver::Setup& s) { s.layers.clear(); }},
       {"layers", "starts at 0.01 m", [](solver::Setup& s) { s.layers.front().top = 0.01; }},

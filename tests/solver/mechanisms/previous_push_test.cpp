@@ -54,6 +54,21 @@ TEST(PreviousPush, OutsideTheChamberIsAProblem) {
   EXPECT_EQ(problems(setup)[0].quantity, "previous_push.spacing_m");
 }
 
+// The first push may have gone deeper, and is judged like a push of its own.
+TEST(PreviousPush, HasADepthOfItsOwn) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.05);
+  setup.mechanisms.previous_push = {.share = 1.0, .depth = 0.08};
+  EXPECT_TRUE(problems(setup).empty());
+  Observer nobody;
+  FirstPush first(setup, nobody);
+  EXPECT_EQ(first.setup().penetrometer.final_depth, 0.08);
+  EXPECT_EQ(first.next_look(), 0.08);
+  setup.mechanisms.previous_push.depth = 0.99;  // the chamber ends at 1 m
+  ASSERT_EQ(problems(setup).size(), 1U);
+  EXPECT_EQ(problems(setup)[0].quantity, "previous_push.depth_m");
+  EXPECT_NE(problems(setup)[0].message.find("0.99"), std::string::npos);
+}
+
 TEST(PreviousPush, NearbyRaisesTheResistance) {
   solver::Setup setup = quick(Profile::homogeneous_sand, 0.06);
   setup.chamber.radius = 0.20;
