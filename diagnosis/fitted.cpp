@@ -83,15 +83,26 @@ parameters::Study fitted_study(const Request& request, const SoundingStudy& soun
   return study;
 }
 
+VectorXd expected_error(const VectorXd& off, const MatrixXd& error, const MatrixXd& noise) {
+  return error * Eigen::LDLT<MatrixXd>(error + noise).solve(off);
+}
+
 bool correct(Problem& problem, const Request& request, const std::vector<SoundingData>& soundings,
              const std::vector<results::Snapshot>& fitted, const Diagnosis& diagnosis) {
   bool any = false;
+  const Prepared prepared = prepare(problem);
+  const auto n = static_cast<Index>(diagnosis.rows.size());
+  const MatrixXd noise =
+      prepared.numerical ? prepared.numerical->covariance : MatrixXd(1e-12 * MatrixXd::Identity(n, n));
+  const MatrixXd adding_up = low_rank_plus_diagonal(prepared.problem.joint_residuals);
   for (const std::size_t k : finalists(diagnosis, request.confirm)) {
     MechanismEffect& effect = problem.mechanisms[k];
     const auto run = run_of(fitted_point(effect.name), request, soundings, fitted);
     if (!run) continue;
     effect.correction = VectorXd::Constant(problem.recorded.size(), std::numeric_limits<double>::quiet_NaN());
-    effect.correction(diagnosis.rows) = VectorXd((*run)(diagnosis.rows)) - diagnosis.with[k].curve;
+    const VectorXd off = VectorXd((*run)(diagnosis.rows)) - diagnosis.with[k].curve;
+    effect.correction(diagnosis.rows) = expected_error(
+        off, adding_up + prepared.emulators[k].covariance(diagnosis.mechanisms[k].mode), noise);
     any = true;
   }
   return any;
