@@ -41,6 +41,7 @@ TEST(Examples, HaveTheirRealizations) {
   expect_study("numerics/clay.toml", Profile::homogeneous_clay, Preset::quick, 20);
   expect_study("numerics/sand_fine.toml", Profile::homogeneous_sand, Preset::fine, 1);
   expect_study("numerics/clay_fine.toml", Profile::homogeneous_clay, Preset::fine, 1);
+  expect_study("numerics/layered_fine.toml", Profile::layered_sand_clay, Preset::fine, 1);
   // The baseline, the six bounds that differ from it, and what the design adds; corners of the pairs that the
   // bounds are already come once.
   expect_study("designs/pairs.toml", Profile::homogeneous_sand, Preset::quick, 7 + 13 + 6);
