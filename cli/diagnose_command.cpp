@@ -48,10 +48,6 @@ void diagnose_one(StudyRunner& runner, const RequestFile& asked, bool report) {
   for (std::size_t s = 0; s < soundings.size(); ++s)
     fitted.push_back(runner.run(fitted_study(request, soundings[s].study, s, assembled, diagnosis),
                                 soundings[s].study.study.database));
-  // What the finalists' runs say is weighed too.
-  if (correct(assembled.problem, request, soundings, fitted, diagnosis))
-    diagnosis = diagnose(assembled.problem, options);
-
   if (report)
     diagnosis.next = next_measurements_of(runner, asked, soundings, assembled, diagnosis, assembled.remarks);
   const auto input = diagnosis_input(request, soundings, assembled, options, diagnosis, fitted);

@@ -22,8 +22,6 @@ struct MechanismEffect {
   // With other soil parameters, to see how far the mechanism acts alike in other soil; or none.
   MatrixXd joint_design = {};  // joint runs x parameters, in the unit cube
   MatrixXd joint_delta = {};  // n x joint runs [ln q_c] y - what the soil's parameters alone would make of it
-  VectorXd correction =
-      {};  // n [ln q_c] what a run with fitted parameters lies above its emulation; or empty
 };
 
 class CurveEmulator {

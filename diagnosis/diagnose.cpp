@@ -26,7 +26,6 @@ Problem complete(const Problem& problem, std::vector<Index>& rows) {
   for (const MechanismEffect& m : problem.mechanisms) {
     curves.push_back(m.delta);
     curves.push_back(m.joint_delta);
-    if (m.correction.size() > 0) curves.emplace_back(m.correction);
   }
   if (problem.recorded.size() != static_cast<Index>(problem.cells.size()))
     throw std::invalid_argument("the recording has another number of cells than the grid");
@@ -46,7 +45,6 @@ Problem complete(const Problem& problem, std::vector<Index>& rows) {
   for (MechanismEffect& m : result.mechanisms) {
     m.delta = kept_rows(m.delta, rows);
     m.joint_delta = kept_rows(m.joint_delta, rows);
-    m.correction = kept(m.correction, rows);
   }
   return result;
 }
@@ -79,11 +77,6 @@ struct Weighing {
   VectorXd log_evidence;  // mechanisms, nothing, none of these
 };
 
-// What a mechanism has to explain: what its own emulator is known to miss is taken off.
-VectorXd corrected(const VectorXd& curve, const MechanismEffect& effect) {
-  return effect.correction.size() > 0 ? VectorXd(curve - effect.correction) : curve;
-}
-
 Weighing weigh(const Problem& problem, const NullModel& null, const std::vector<CurveEmulator>& emulators,
                const Options& options) {
   const VectorXd residual = problem.recorded - null.mean;
@@ -93,8 +86,7 @@ Weighing weigh(const Problem& problem, const NullModel& null, const std::vector<
   weighing.log_evidence.resize(k + 2);
   for (Index i = 0; i < k; ++i) {
     const MechanismLikelihood likelihood(emulators[static_cast<std::size_t>(i)], M);
-    weighing.mechanisms.push_back(mechanism_evidence(
-        likelihood, corrected(residual, problem.mechanisms[static_cast<std::size_t>(i)]), options.grid));
+    weighing.mechanisms.push_back(mechanism_evidence(likelihood, residual, options.grid));
     weighing.log_evidence(i) = weighing.mechanisms.back().log_evidence;
   }
   weighing.log_evidence(k) = M.log_density(residual);
@@ -124,10 +116,8 @@ std::vector<PairEvidence> best_pairs(const Problem& problem, const std::vector<C
   std::vector<PairEvidence> pairs;
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size(); ++j)
-      pairs.push_back(pair_evidence(
-          emulators[order[i]], emulators[order[j]], null.covariance,
-          corrected(corrected(residual, problem.mechanisms[order[i]]), problem.mechanisms[order[j]]),
-          options.grid));
+      pairs.push_back(
+          pair_evidence(emulators[order[i]], emulators[order[j]], null.covariance, residual, options.grid));
   std::stable_sort(pairs.begin(), pairs.end(), [](const PairEvidence& a, const PairEvidence& b) {
     return a.log_evidence > b.log_evidence;
   });
@@ -249,9 +239,8 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
   d.null_check = check_null(d.cells, M, residual, draws, options.locate.least_cells);
   if (d.winner == nothing) d.gate = d.null_check;
   if (d.winner < nothing)
-    d.gate = check_mechanism(d.cells, null.covariance, emulators[d.winner], d.mechanisms[d.winner],
-                             corrected(residual, problem.mechanisms[d.winner]), draws, options.seed + 1,
-                             options.locate.least_cells);
+    d.gate = check_mechanism(d.cells, null.covariance, emulators[d.winner], d.mechanisms[d.winner], residual,
+                             draws, options.seed + 1, options.locate.least_cells);
   d.answer = d.gate && d.gate->p < options.gate ? unknown : d.winner;
 
   // Isolate.
@@ -268,7 +257,7 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
     d.best = static_cast<std::size_t>(best);
     const CurveEmulator& emulator = emulators[*d.best];
     for (std::size_t k = 0; k < nothing; ++k) {
-      const VectorXd rest = corrected(problem.recorded - emulators[k].mean(phi[k]), problem.mechanisms[k]);
+      const VectorXd rest = problem.recorded - emulators[k].mean(phi[k]);
       d.with.push_back(recalibrate(null.parameters, rest, noise_alone));
       d.with.back().curve += problem.recorded - rest;
     }
@@ -278,9 +267,7 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
         std::max(std::min(options.held_out_length, 0.25 * shortest_sounding(d.cells)), 3.0 * correlation);
     const auto blocks = depth_blocks(d.cells, length);
     if (blocks.size() > 1) {
-      const VectorXd recorded = corrected(problem.recorded, problem.mechanisms[*d.best]);
-      Prediction with = predict_mechanism(null, emulator, recorded, blocks, options.grid);
-      with.mean += problem.recorded - recorded;
+      const Prediction with = predict_mechanism(null, emulator, problem.recorded, blocks, options.grid);
       d.held_out =
           held_out_gain(problem.recorded, predict_null(null, problem.recorded, blocks), with,
                         static_cast<int>(std::ceil(length / d.cells.front().height)), options.seed + 2);

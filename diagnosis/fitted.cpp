@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
-#include <optional>
 
 namespace cpt::diagnosis {
 namespace {
@@ -23,23 +21,6 @@ std::vector<Change> changes_at(const VectorXd& place, const Problem& problem,
       changes.push_back({row.quantity, value});
     }
   return changes;
-}
-
-// In all soundings end to end, on the problem's cells; nothing if a run is missing.
-std::optional<VectorXd> run_of(const std::string& point, const Request& request,
-                               const std::vector<SoundingData>& soundings,
-                               const std::vector<results::Snapshot>& fitted) {
-  std::vector<VectorXd> parts;
-  for (std::size_t s = 0; s < soundings.size(); ++s) {
-    const results::CurveRow* curve = nullptr;
-    for (const results::RealizationRow& row : fitted[s].realizations)
-      for (const results::CurveRow& candidate : fitted[s].curves)
-        if (row.parameter == point && row.completed() && candidate.realization == row.id) curve = &candidate;
-    if (curve == nullptr) return std::nullopt;
-    parts.push_back(log_cell_means(grid_of(soundings[s].request, request.cell_height), curve->profile.depth,
-                                   curve->profile.q_c));
-  }
-  return concatenate(parts);
 }
 
 }  // namespace
@@ -81,31 +62,6 @@ parameters::Study fitted_study(const Request& request, const SoundingStudy& soun
   }
   study.rows.clear();
   return study;
-}
-
-VectorXd expected_error(const VectorXd& off, const MatrixXd& error, const MatrixXd& noise) {
-  return error * Eigen::LDLT<MatrixXd>(error + noise).solve(off);
-}
-
-bool correct(Problem& problem, const Request& request, const std::vector<SoundingData>& soundings,
-             const std::vector<results::Snapshot>& fitted, const Diagnosis& diagnosis) {
-  bool any = false;
-  const Prepared prepared = prepare(problem);
-  const auto n = static_cast<Index>(diagnosis.rows.size());
-  const MatrixXd noise =
-      prepared.numerical ? prepared.numerical->covariance : MatrixXd(1e-12 * MatrixXd::Identity(n, n));
-  const MatrixXd adding_up = low_rank_plus_diagonal(prepared.problem.joint_residuals);
-  for (const std::size_t k : finalists(diagnosis, request.confirm)) {
-    MechanismEffect& effect = problem.mechanisms[k];
-    const auto run = run_of(fitted_point(effect.name), request, soundings, fitted);
-    if (!run) continue;
-    effect.correction = VectorXd::Constant(problem.recorded.size(), std::numeric_limits<double>::quiet_NaN());
-    const VectorXd off = VectorXd((*run)(diagnosis.rows)) - diagnosis.with[k].curve;
-    effect.correction(diagnosis.rows) = expected_error(
-        off, adding_up + prepared.emulators[k].covariance(diagnosis.mechanisms[k].mode), noise);
-    any = true;
-  }
-  return any;
 }
 
 }  // namespace cpt::diagnosis

@@ -23,16 +23,4 @@ inline constexpr const char* recalibrated_point = "recalibrated";
                                              std::size_t index, const Assembled& assembled,
                                              const Diagnosis& diagnosis);
 
-/// What the prediction's own error is expected to be of the curve `off` (n) by which a run lies off it: A (A
-/// + C)^-1 times `off`, A the covariance of that error and C that of the run's numerical noise (n x n, A + C
-/// positive definite).
-[[nodiscard]] VectorXd expected_error(const VectorXd& off, const MatrixXd& error, const MatrixXd& noise);
-
-/// Takes the emulation's share in what the finalists' runs lie above it as the mechanisms' corrections; the
-/// rest is the scatter of one run. `fitted` holds one finished campaign a sounding, of the studies above.
-/// False if there was none to take.
-[[nodiscard]] bool correct(Problem& problem, const Request& request,
-                           const std::vector<SoundingData>& soundings,
-                           const std::vector<results::Snapshot>& fitted, const Diagnosis& diagnosis);
-
 }  // namespace cpt::diagnosis
