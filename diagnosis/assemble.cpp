@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 
 #include "parameters/designs/one_at_a_time.hpp"
+#include "solver/mechanisms/reading.hpp"
 
 namespace cpt::diagnosis {
 namespace {
@@ -24,25 +26,50 @@ class Curves {
 
   /// ln of the cell means, nothing if the realization did not complete.
   [[nodiscard]] std::optional<VectorXd> of(int id) const {
-    for (const results::RealizationRow& row : data_.campaign.realizations)
-      if (row.id == id && !row.completed()) return std::nullopt;
-    for (const results::CurveRow& curve : data_.campaign.curves)
-      if (curve.realization == id)
-        return log_cell_means(grid_, curve.profile.depth,
-                              measured_ == Measured::q_c ? curve.profile.q_c : curve.profile.f_s);
-    return std::nullopt;
+    const solver::DepthProfile* profile = profile_of(id);
+    return profile != nullptr ? std::optional(means(*profile)) : std::nullopt;
+  }
+  /// The same as instruments would read it that `changes` tell of, but what is known of the sounding.
+  [[nodiscard]] std::optional<VectorXd> read_otherwise(int id,
+                                                       const std::vector<parameters::Change>& changes) const {
+    const solver::DepthProfile* profile = profile_of(id);
+    if (profile == nullptr) return std::nullopt;
+    solver::Setup setup = data_.study.study.baseline;
+    for (const parameters::Change& change : changes)
+      if (std::ranges::none_of(data_.request.changes, [&](const auto& known) {
+            return known.quantity->name == change.quantity->name;
+          }))
+        change.quantity->set_value(setup, change.value);
+    solver::DepthProfile read = solver::as_recorded(*profile, setup);
+    for (double& q_c : read.q_c) q_c = std::max(q_c, least_reading);
+    return means(read);
   }
   [[nodiscard]] std::optional<VectorXd> of_row(int row, Side side) const {
     return of(parameters::realization_of(realizations_, row, side));
   }
-  [[nodiscard]] std::optional<VectorXd> of_point(std::size_t point) const {
+  [[nodiscard]] int id_of_point(std::size_t point) const {
     for (const parameters::Realization& realization : realizations_)
-      if (realization.point == static_cast<int>(point)) return of(realization.id);
-    return std::nullopt;
+      if (realization.point == static_cast<int>(point)) return realization.id;
+    throw std::logic_error("no such point");
   }
-  [[nodiscard]] std::optional<VectorXd> baseline() const { return of(realizations_.front().id); }
+  [[nodiscard]] std::optional<VectorXd> of_point(std::size_t point) const { return of(id_of_point(point)); }
+  [[nodiscard]] int baseline_id() const { return realizations_.front().id; }
+  [[nodiscard]] std::optional<VectorXd> baseline() const { return of(baseline_id()); }
 
  private:
+  static constexpr double least_reading = 1e3;  // [Pa]: logarithms of what an offset leaves
+
+  [[nodiscard]] const solver::DepthProfile* profile_of(int id) const {
+    for (const results::RealizationRow& row : data_.campaign.realizations)
+      if (row.id == id && !row.completed()) return nullptr;
+    for (const results::CurveRow& curve : data_.campaign.curves)
+      if (curve.realization == id) return &curve.profile;
+    return nullptr;
+  }
+  [[nodiscard]] VectorXd means(const solver::DepthProfile& profile) const {
+    return log_cell_means(grid_, profile.depth, measured_ == Measured::q_c ? profile.q_c : profile.f_s);
+  }
+
   const SoundingData& data_;
   SoundingGrid grid_;
   Measured measured_;
@@ -230,6 +257,10 @@ class Assembler {
 
   void take_mechanisms() {
     for (const MechanismDesign& design : soundings_.front().study.design.mechanisms) {
+      if (design.mechanism->of_reading) {
+        take_mechanism_of_reading(design);
+        continue;
+      }
       std::vector<std::size_t> kept;
       const MatrixXd runs = points(design.first_point, static_cast<std::size_t>(design.unit.rows()), kept);
       const auto least = 4 * static_cast<std::ptrdiff_t>(design.varied.size());
@@ -238,10 +269,7 @@ class Assembler {
                                             design.mechanism->name, kept.size(), least));
         continue;
       }
-      MechanismEffect effect;
-      effect.name = std::string(design.mechanism->name);
-      for (const std::size_t varied : design.varied)
-        effect.parameters.emplace_back(design.mechanism->parameters[varied].quantity.name);
+      MechanismEffect effect = effect_of(design);
       effect.design.resize(runs.cols(), design.unit.cols());
       for (Index k = 0; k < runs.cols(); ++k)
         effect.design.row(k) = design.unit.row(static_cast<Index>(kept[static_cast<std::size_t>(k)]));
@@ -251,6 +279,50 @@ class Assembler {
       made_.problem.mechanisms.push_back(std::move(effect));
       made_.mechanisms.push_back(design);
     }
+  }
+
+  static MechanismEffect effect_of(const MechanismDesign& design) {
+    MechanismEffect effect;
+    effect.name = std::string(design.mechanism->name);
+    for (const std::size_t varied : design.varied)
+      effect.parameters.emplace_back(design.mechanism->parameters[varied].quantity.name);
+    return effect;
+  }
+
+  // What another reading of a run differs from the run.
+  VectorXd reading_effect(const MechanismDesign& design, const VectorXd& phi,
+                          const std::function<int(const Curves&)>& id_in) const {
+    const std::vector<parameters::Change> changes = mechanism_changes(design, phi);
+    const auto otherwise = joined_run(
+        curves_, [&](const Curves& curves) { return curves.read_otherwise(id_in(curves), changes); });
+    const auto plain = joined_run(curves_, [&](const Curves& curves) { return curves.of(id_in(curves)); });
+    return otherwise && plain ? VectorXd(*otherwise - *plain) : VectorXd();
+  }
+
+  void take_mechanism_of_reading(const MechanismDesign& design) {
+    MechanismEffect effect = effect_of(design);
+    effect.vanishes_at_zero = false;  // read too high or too low
+    effect.design = design.unit;
+    effect.delta.resize(made_.problem.baseline.size(), design.unit.rows());
+    for (Index k = 0; k < design.unit.rows(); ++k)
+      effect.delta.col(k) = reading_effect(design, design.unit.row(k).transpose(),
+                                           [](const Curves& curves) { return curves.baseline_id(); });
+    std::vector<VectorXd> joint;
+    std::vector<Index> kept;
+    const std::size_t first = soundings_.front().study.design.first_joint;
+    for (Index k = 0; k < design.joint_unit.rows(); ++k) {
+      const VectorXd in_other_soil = reading_effect(
+          design, design.joint_unit.row(k).transpose(),
+          [&](const Curves& curves) { return curves.id_of_point(first + static_cast<std::size_t>(k)); });
+      if (in_other_soil.size() == 0) continue;
+      joint.push_back(in_other_soil);
+      kept.push_back(k);
+    }
+    effect.joint_design = design.joint_unit(kept, Eigen::all);
+    effect.joint_delta.resize(made_.problem.baseline.size(), static_cast<Index>(joint.size()));
+    for (std::size_t k = 0; k < joint.size(); ++k) effect.joint_delta.col(static_cast<Index>(k)) = joint[k];
+    made_.problem.mechanisms.push_back(std::move(effect));
+    made_.mechanisms.push_back(design);
   }
 
   void take_joint_of(const MechanismDesign& design, MechanismEffect& effect) {

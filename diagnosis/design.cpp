@@ -57,6 +57,16 @@ std::vector<parameters::Change> joint_changes(const std::vector<parameters::Row>
   return changes;
 }
 
+// Places of a mechanism of the reading, ends included: its curves cost no run.
+MechanismDesign reading_design(const solver::Mechanism& mechanism, std::size_t joints) {
+  constexpr Index places = 21;
+  MechanismDesign design{&mechanism, {0}, VectorXd::LinSpaced(places, 0.0, 1.0), 0, {}};
+  design.joint_unit.resize(static_cast<Index>(joints), 1);
+  for (std::size_t k = 0; k < joints; ++k)
+    design.joint_unit.row(static_cast<Index>(k)) = quasi_random(static_cast<int>(k), 1).transpose();
+  return design;
+}
+
 // The mechanism's parameters alone.
 MechanismDesign design_of(const solver::Mechanism& mechanism, std::vector<DesignPoint>& points) {
   MechanismDesign design{&mechanism, {}, {}, points.size(), {}};
@@ -151,6 +161,10 @@ SoundingStudy sounding_study(const parameters::Study& study, const SoundingReque
                        sounding.changes)});
   int drawn = joints;
   for (const solver::Mechanism* mechanism : mechanisms) {
+    if (mechanism->of_reading) {
+      design.mechanisms.push_back(reading_design(*mechanism, design.joint));
+      continue;
+    }
     design.mechanisms.push_back(design_of(*mechanism, own.points));
     if (design.joint == 0) continue;
     add_joint(design.mechanisms.back(), joint_runs_of_mechanism, study.rows, sounding.changes, drawn,

@@ -7,7 +7,8 @@
 
 namespace cpt::diagnosis {
 
-/// The runs of one mechanism.
+/// The runs of one mechanism; or, for one of the reading, the places where its curves are made from the
+/// baseline's and, joint, from the runs at other soil (Design::first_joint). It has no points.
 struct MechanismDesign {
   const solver::Mechanism* mechanism;
   std::vector<std::size_t> varied;  ///< of its parameters: those whose prior is a range

@@ -12,6 +12,7 @@
 #include "solver/chamber.hpp"
 #include "solver/first_push.hpp"
 #include "solver/initial_state.hpp"
+#include "solver/mechanisms/reading.hpp"
 #include "solver/model.hpp"
 #include "solver/penetrometer.hpp"
 #include "solver/quantities.hpp"
@@ -187,9 +188,7 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
     }
   }
 
-  outcome.profile = recorder.profile();
-  if (const double shift = setup.mechanisms.depth_datum.shift; shift != 0.0)
-    for (double& at : outcome.profile.depth) at += shift;
+  outcome.profile = as_recorded(recorder.profile(), setup);
   outcome.audit = auditor.summary(model);
   for (const double q_c : outcome.profile.q_c)
     if (!std::isfinite(q_c) && outcome.status == Status::completed) {

@@ -50,7 +50,10 @@ Intervals strong_depths(const VectorXd& effect, const std::vector<Cell>& cells, 
 }
 
 std::string label_of(const Truth& truth) {
-  if (truth.outside) return none_of_these;
+  if (truth.outside) {
+    const solver::Mechanism* mechanism = catalogued(*truth.outside);
+    return mechanism != nullptr ? std::string(mechanism->name) : none_of_these;
+  }
   if (truth.parts.empty()) return nothing_is_missing;
   std::string label(truth.parts.front().mechanism->name);
   for (std::size_t i = 1; i < truth.parts.size(); ++i)

@@ -10,7 +10,7 @@
 namespace cpt::diagnosis::concealed {
 namespace {
 
-constexpr std::array<std::string_view, 5> kinds = {"stone", "laminae", "zero drift", "zero offset", "pauses"};
+constexpr std::array<std::string_view, 5> kinds = {"stone", "laminae", "gain drift", "stuck", "pauses"};
 constexpr double recovery = 0.008;  // [m] of q_c after a pause
 
 double between(Random& random, double lower, double upper) {
@@ -26,6 +26,12 @@ double signed_between(Random& random, double lower, double upper) {
 
 std::span<const std::string_view> outside_kinds() { return kinds; }
 
+const solver::Mechanism* catalogued(const OutsideEffect& effect) {
+  std::string name = effect.kind;
+  std::ranges::replace(name, ' ', '_');
+  return solver::find_mechanism(name);
+}
+
 OutsideEffect draw_outside(std::string_view kind, double from, double to, Random& random) {
   OutsideEffect effect{std::string(kind), 0.0, 0.0, 0.0};
   effect.depth = between(random, from, to);
@@ -35,12 +41,12 @@ OutsideEffect draw_outside(std::string_view kind, double from, double to, Random
   } else if (kind == "laminae") {
     effect.size = between(random, 0.02, 0.2);
     effect.length = between(random, 0.03, 0.08);
-  } else if (kind == "zero drift") {
-    effect.size = signed_between(random, 0.03, 0.3);
+  } else if (kind == "gain drift") {
+    effect.size = signed_between(random, 0.05, 0.4);
     effect.length = to - from;
-  } else if (kind == "zero offset") {
-    effect.size = signed_between(random, 0.03, 0.3);
-    effect.length = to - from;
+  } else if (kind == "stuck") {
+    effect.size = 1.0;
+    effect.length = between(random, 0.01, 0.05);
   } else if (kind == "pauses") {
     effect.size = between(random, 0.05, 0.5);
     effect.length = between(random, 0.04, 0.08);
@@ -61,6 +67,7 @@ std::vector<double> with_outside(const OutsideEffect& effect, std::span<const do
       return q * (1.0 + effect.size * std::exp(-0.5 * x * x / (effect.length * effect.length)));
     if (effect.kind == "laminae")
       return q * (1.0 + effect.size * std::sin(2.0 * std::numbers::pi * x / effect.length));
+    if (effect.kind == "gain drift") return q * (1.0 + effect.size * (z - depth.front()) / effect.length);
     if (effect.kind == "zero drift") return q + effect.size * mean * (z - depth.front()) / effect.length;
     if (effect.kind == "zero offset") return q + effect.size * mean;
     if (effect.kind == "pauses") {
@@ -71,6 +78,13 @@ std::vector<double> with_outside(const OutsideEffect& effect, std::span<const do
     throw std::invalid_argument("no such effect: " + effect.kind);
   };
   std::vector<double> result(q_c.size());
+  if (effect.kind == "stuck") {
+    for (std::size_t i = 0; i < q_c.size(); ++i) {
+      const bool jammed = i > 0 && depth[i] > effect.depth && depth[i] <= effect.depth + effect.length;
+      result[i] = jammed ? result[i - 1] : q_c[i];
+    }
+    return result;
+  }
   for (std::size_t i = 0; i < q_c.size(); ++i) result[i] = std::max(1e3, changed(depth[i], q_c[i]));
   return result;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnosis/random.hpp"
+#include "solver/mechanisms/catalogue.hpp"
 
 namespace cpt::diagnosis::concealed {
 
@@ -20,10 +21,16 @@ struct OutsideEffect {
 
 /// stone         q (1 + size exp(-((z - depth) / length)^2 / 2)): a stone or a hard lump beside the cone
 /// laminae       q (1 + size sin(2 pi (z - depth) / length)): thin layers, alternately denser and looser
-/// zero drift    q + size mean(q) (z - z_0) / (z_1 - z_0): the load cell's zero drifts during the push
-/// zero offset   q + size mean(q): the load cell's zero is off from the start
+/// gain drift    q (1 + size (z - z_0) / (z_1 - z_0)): the amplifier's gain drifts during the push
+/// stuck         q as it was at depth, over length: sand grains jam the gap behind the cone
 /// pauses        q (1 - size exp(-(z - z_p) / 8 mm)) after each pause, z_p = depth + k length: stress relaxed
-[[nodiscard]] std::span<const std::string_view> outside_kinds();
+/// zero drift    q + size mean(q) (z - z_0) / (z_1 - z_0)
+/// zero offset   q + size mean(q)
+/// The last two were drawn before the catalogue had them, and are judged as its mechanisms.
+[[nodiscard]] std::span<const std::string_view> outside_kinds();  ///< that are drawn
+
+/// The mechanism of the catalogue that the effect is by now; nullptr if there is none.
+[[nodiscard]] const solver::Mechanism* catalogued(const OutsideEffect& effect);
 
 /// Size, depth and length drawn for depths of [from, to] m: sizes from barely to plainly visible.
 [[nodiscard]] OutsideEffect draw_outside(std::string_view kind, double from, double to, Random& random);

@@ -118,7 +118,7 @@ VectorXd vector(const Json& json) {
 }  // namespace
 
 std::string Truth::kind() const {
-  if (outside) return "outside";
+  if (outside) return catalogued(*outside) != nullptr ? "single" : "outside";
   return parts.empty() ? "nothing" : parts.size() == 1 ? "single" : "pair";
 }
 

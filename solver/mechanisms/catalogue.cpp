@@ -21,6 +21,8 @@ Mechanism depth_datum_mechanism();
 Mechanism layer_shift_mechanism();
 Mechanism interface_mixing_mechanism();
 Mechanism worn_cone_mechanism();
+Mechanism zero_offset_mechanism();
+Mechanism zero_drift_mechanism();
 
 std::span<const Mechanism> all_mechanisms() {
   static const std::vector<Mechanism> catalogue = {
@@ -29,7 +31,7 @@ std::span<const Mechanism> all_mechanisms() {
       overconsolidation_mechanism(),  grain_crushing_mechanism(),    strain_softening_mechanism(),
       rate_dependence_mechanism(),    strength_gradient_mechanism(), clay_crust_mechanism(),
       depth_datum_mechanism(),        layer_shift_mechanism(),       interface_mixing_mechanism(),
-      worn_cone_mechanism(),
+      worn_cone_mechanism(),          zero_offset_mechanism(),       zero_drift_mechanism(),
   };
   return catalogue;
 }

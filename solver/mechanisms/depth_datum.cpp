@@ -16,7 +16,8 @@ Mechanism depth_datum_mechanism() {
           {{number<&Setup::mechanisms, &Mechanisms::depth_datum, &DepthDatum::shift>(
                 "depth_datum.shift_mm", "Δz_datum", millimetres, -200.0, 200.0, any_soil,
                 "recorded less true depth", "Yost et al. (2023), section 3.3"),
-            -25.0, 25.0}}};
+            -25.0, 25.0}},
+          true};
 }
 
 }  // namespace cpt::solver

@@ -26,6 +26,8 @@ struct Mechanism {
   bool needs_interfaces;       ///< acts only where sand meets clay
   /// The first is the strength. The mechanism is off, bit for bit, where all parameters have their defaults.
   std::vector<MechanismParameter> parameters;
+  /// Acts on what is recorded of the push (reading.hpp), not on the push: known without a run of its own.
+  bool of_reading = false;
 };
 
 }  // namespace cpt::solver

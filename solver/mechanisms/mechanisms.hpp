@@ -18,6 +18,8 @@
 #include "solver/mechanisms/surface_compaction.hpp"
 #include "solver/mechanisms/wall_friction.hpp"
 #include "solver/mechanisms/worn_cone.hpp"
+#include "solver/mechanisms/zero_drift.hpp"
+#include "solver/mechanisms/zero_offset.hpp"
 
 namespace cpt::solver {
 
@@ -38,6 +40,8 @@ struct Mechanisms {
   LayerShift layer_shift;
   InterfaceMixing interface_mixing;
   WornCone worn_cone;
+  ZeroOffset zero_offset;
+  ZeroDrift zero_drift;
 };
 
 }  // namespace cpt::solver

@@ -84,6 +84,26 @@ TEST_F(Assembling, PutsEveryRunInItsPlace) {
   EXPECT_FALSE(problem.mechanisms[1].vanishes_at_zero);  // its prior goes from a gain to a loss
 }
 
+TEST_F(Assembling, MechanismsOfTheReadingAreReadFromTheRunsAtHand) {
+  request = request_of("study = \"sand.toml\"\nmechanisms = [\"depth_datum\", \"zero_offset\"]\n" + sounding);
+  soundings[0].study =
+      sounding_study(quick_sand(), request.soundings[0], request.mechanisms, request.repeats, request.joint);
+  const Assembled made = assemble(request, soundings);
+  ASSERT_EQ(made.problem.mechanisms.size(), 2U);
+  const MechanismEffect &datum = made.problem.mechanisms[0], &offset = made.problem.mechanisms[1];
+  const std::vector<Cell>& cells = made.problem.cells;
+  const Index last = datum.delta.cols() - 1;
+  EXPECT_DOUBLE_EQ(datum.design(last, 0), 1.0);
+  const auto n = static_cast<Index>(cells.size());
+  for (Index i = 10; i < n; ++i) {  // ln q = 0.5 ln z + constant
+    const double z = cells[static_cast<std::size_t>(i)].depth;
+    EXPECT_NEAR(datum.delta(i, last), 0.5 * std::log((z - 0.025) / z), 2e-3);
+    EXPECT_NEAR(offset.delta(i, last), std::log1p(100e3 / (3e6 * std::sqrt(z))), 1e-4);
+  }
+  EXPECT_NEAR(datum.delta.col(last / 2).cwiseAbs().maxCoeff(), 0.0, 1e-12);  // no shift
+  EXPECT_EQ(offset.joint_delta.cols(), request.joint);
+}
+
 TEST_F(Assembling, LeavesOutWhatFailedAndSaysSo) {
   const parameters::Study& study = soundings[0].study.study;
   for (const parameters::Realization& realization : parameters::one_at_a_time(study))

@@ -180,11 +180,25 @@ TEST(OutsideEffect, DoesWhatItsFormulaSays) {
   EXPECT_NEAR(made({"zero drift", 0.1, 0.0, 0.15})[0], 1e6, 1.0);
   EXPECT_NEAR(made({"pauses", 0.3, 0.10, 0.06})[0], 1e6, 1.0);
   EXPECT_NEAR(made({"pauses", 0.3, 0.10, 0.06})[1], 1.4e6, 1.0);
+  EXPECT_NEAR(made({"gain drift", -0.2, 0.0, 0.15})[3], 3.2e6, 1.0);
+  EXPECT_EQ(made({"stuck", 1.0, 0.09, 0.07}), (std::vector<double>{1e6, 1e6, 1e6, 4e6}));
   for (const double q : made({"zero offset", -5.0, 0.0, 0.1})) EXPECT_GT(q, 0.0);
   EXPECT_THROW((void)made({"ghost", 0.0, 0.0, 0.0}), std::invalid_argument);
   Random random(1, 1);
+  std::vector<double> fine, rising;
+  for (int i = 0; i < 200; ++i) fine.push_back(0.04 + 0.001 * i), rising.push_back(1e6 + 1e4 * i);
   for (const std::string_view kind : outside_kinds())
-    EXPECT_NE(with_outside(draw_outside(kind, 0.04, 0.21, random), depth, q_c), q_c) << kind;
+    EXPECT_NE(with_outside(draw_outside(kind, 0.04, 0.21, random), fine, rising), rising) << kind;
+}
+
+TEST(OutsideEffect, IsJudgedAsTheCataloguesOnceThatHasIt) {
+  for (const std::string_view kind : outside_kinds())
+    EXPECT_EQ(catalogued({std::string(kind), 0.1, 0.1, 0.1}), nullptr) << kind;
+  Truth truth{1, {}, OutsideEffect{"zero drift", 0.1, 0.0, 0.1}, {}, {}};
+  EXPECT_EQ(truth.kind(), "single");
+  EXPECT_EQ(catalogued(*truth.outside), solver::find_mechanism("zero_drift"));
+  truth.outside->kind = "stone";
+  EXPECT_EQ(truth.kind(), "outside");
 }
 
 }  // namespace

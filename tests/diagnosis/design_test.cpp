@@ -41,6 +41,7 @@ TEST(Design, FillsThePriorOfEachMechanism) {
     EXPECT_LE(design.unit.maxCoeff(), 1.0);
     for (Index j = 0; j < dimensions; ++j)
       EXPECT_GT(design.unit.col(j).maxCoeff() - design.unit.col(j).minCoeff(), 0.7) << design.mechanism->name;
+    if (design.mechanism->of_reading) continue;  // it has no runs
     for (Index k = 0; k < design.unit.rows(); ++k) {
       const auto& point = sounding_runs.study.points[design.first_point + static_cast<std::size_t>(k)];
       EXPECT_EQ(point.name.find(design.mechanism->name), 0U);
@@ -53,6 +54,10 @@ TEST(Design, FillsThePriorOfEachMechanism) {
 TEST(Design, EachMechanismAlsoRunsInOtherSoil) {
   const SoundingStudy plain = made(), known = made("fixed = { \"initial.sigma_v0_kPa\" = 60 }\n");
   for (const MechanismDesign& design : plain.design.mechanisms) {
+    if (design.mechanism->of_reading) {
+      EXPECT_EQ(design.joint_unit.rows(), static_cast<Index>(plain.design.joint));
+      continue;
+    }
     ASSERT_EQ(design.joint_unit.rows(), 3);
     for (Index k = 0; k < 3; ++k) {
       const std::size_t at = design.first_joint + static_cast<std::size_t>(k);
@@ -68,6 +73,12 @@ TEST(Design, EachMechanismAlsoRunsInOtherSoil) {
         })) << change.quantity->name;
     }
   }
+}
+
+TEST(Design, AMechanismOfTheReadingCostsNoRun) {
+  for (const parameters::DesignPoint& point : made().study.points)
+    for (const char* name : {"depth_datum", "zero_offset", "zero_drift"})
+      EXPECT_EQ(point.name.find(name), std::string::npos) << point.name;
 }
 
 TEST(Design, WhatIsKnownIsNoLongerUncertain) {

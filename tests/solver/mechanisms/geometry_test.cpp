@@ -1,4 +1,4 @@
-// Mechanisms of geometry: depth datum, shifted and mixed interfaces, the worn cone.
+// Mechanisms of geometry and of the reading: depth datum, load cell, shifted and mixed interfaces, worn cone.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,6 +6,8 @@
 
 #include "mechanism_fixture.hpp"
 #include "solver/actual_setup.hpp"
+#include "solver/mechanisms/catalogue.hpp"
+#include "solver/mechanisms/reading.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -18,6 +20,34 @@ TEST(DepthDatum, MovesTheRecordingOnly) {
   EXPECT_EQ(plain.profile.q_c, shifted.profile.q_c);
   for (std::size_t k = 0; k < plain.profile.depth.size(); ++k)
     EXPECT_DOUBLE_EQ(shifted.profile.depth[k], plain.profile.depth[k] + 0.007);
+}
+
+TEST(LoadCell, ReadsOtherwiseWhatThePushIs) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.04);
+  const Outcome plain = run(setup);
+  setup.mechanisms.zero_offset.offset = -20e3;
+  setup.mechanisms.zero_drift.at_end = 60e3;
+  const Outcome read = run(setup);
+  EXPECT_EQ(plain.profile.f_s, read.profile.f_s);
+  EXPECT_EQ(plain.profile.depth, read.profile.depth);
+  for (std::size_t k = 0; k < plain.profile.depth.size(); ++k)
+    EXPECT_DOUBLE_EQ(read.profile.q_c[k],
+                     plain.profile.q_c[k] + (-20e3 + 60e3 * plain.profile.depth[k] / 0.04));
+}
+
+// What the diagnosis relies on: the reading of a stored push equals a push that was read so.
+TEST(Reading, OfAPlainPushIsThePushReadSo) {
+  solver::Setup setup = quick(Profile::homogeneous_clay, 0.04);
+  const Outcome plain = run(setup);
+  for (const Mechanism& mechanism : all_mechanisms()) {
+    if (!mechanism.of_reading) continue;
+    solver::Setup on = setup;
+    mechanism.parameters.front().quantity.set_value(on, mechanism.parameters.front().prior_upper);
+    const DepthProfile read = as_recorded(plain.profile, on), run_so = run(on).profile;
+    EXPECT_EQ(read.depth, run_so.depth) << mechanism.name;
+    EXPECT_EQ(read.q_c, run_so.q_c) << mechanism.name;
+    EXPECT_EQ(read.f_s, run_so.f_s) << mechanism.name;
+  }
 }
 
 TEST(LayerShift, MovesAllInnerInterfaces) {

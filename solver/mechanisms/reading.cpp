@@ -1,0 +1,16 @@
+#include "solver/mechanisms/reading.hpp"
+
+namespace cpt::solver {
+
+DepthProfile as_recorded(DepthProfile profile, const Setup& setup) {
+  const double offset = setup.mechanisms.zero_offset.offset, drift = setup.mechanisms.zero_drift.at_end;
+  const double shift = setup.mechanisms.depth_datum.shift;
+  if (offset != 0.0 || drift != 0.0)
+    for (std::size_t i = 0; i < profile.q_c.size(); ++i)
+      profile.q_c[i] += offset + drift * profile.depth[i] / setup.penetrometer.final_depth;
+  if (shift != 0.0)
+    for (double& depth : profile.depth) depth += shift;
+  return profile;
+}
+
+}  // namespace cpt::solver

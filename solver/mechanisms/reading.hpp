@@ -1,0 +1,14 @@
+// Mechanisms of the reading: what instrument and depth datum make of a push, which itself stays as it is.
+#pragma once
+
+#include "solver/setup.hpp"
+#include "solver/simulate.hpp"
+
+namespace cpt::solver {
+
+/// The profile of a push as it would be recorded: with the load cell's zero offset and drift, and depths from
+/// the shifted datum. As it is where all three are off. Sources: zero_offset.hpp, zero_drift.hpp,
+/// depth_datum.hpp.
+[[nodiscard]] DepthProfile as_recorded(DepthProfile profile, const Setup& setup);
+
+}  // namespace cpt::solver
