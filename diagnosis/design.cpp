@@ -112,13 +112,9 @@ void add_joint(MechanismDesign& design, int runs, const std::vector<parameters::
 
 std::vector<parameters::Change> mechanism_changes(const MechanismDesign& design, const VectorXd& phi) {
   std::vector<parameters::Change> changes;
-  const solver::Mechanism& mechanism = *design.mechanism;
-  for (std::size_t j = 0; j < mechanism.parameters.size(); ++j) {
-    const solver::MechanismParameter& parameter = mechanism.parameters[j];
-    double value = parameter.prior_lower;
-    for (std::size_t v = 0; v < design.varied.size(); ++v)
-      if (design.varied[v] == j) value = prior_value(parameter, phi(static_cast<Index>(v)));
-    changes.push_back({&parameter.quantity, value});
+  for (std::size_t v = 0; v < design.varied.size(); ++v) {
+    const solver::MechanismParameter& parameter = design.mechanism->parameters[design.varied[v]];
+    changes.push_back({&parameter.quantity, prior_value(parameter, phi(static_cast<Index>(v)))});
   }
   return changes;
 }

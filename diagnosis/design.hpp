@@ -35,7 +35,8 @@ struct SoundingStudy {
                                            const std::vector<const solver::Mechanism*>& mechanisms,
                                            int repeats, int joint);
 
-/// The mechanism's quantities at phi, its varied parameters' places in the unit cube.
+/// The mechanism's varied quantities at phi, their places in the unit cube. The others stay as the study has
+/// them.
 [[nodiscard]] std::vector<parameters::Change> mechanism_changes(const MechanismDesign& design,
                                                                 const VectorXd& phi);
 

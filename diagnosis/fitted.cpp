@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cpt::diagnosis {
@@ -57,7 +58,10 @@ parameters::Study fitted_study(const Request& request, const SoundingStudy& soun
     parameters::DesignPoint fitted{fitted_point(std::string(design.mechanism->name)),
                                    soil_at(diagnosis.with[k].place)};
     for (const Change& change : mechanism_changes(design, diagnosis.mechanisms[k].mode))
-      fitted.changes.push_back(change);
+      if (std::ranges::none_of(request.soundings[index].changes, [&](const Change& known) {
+            return known.quantity->name == change.quantity->name;
+          }))
+        fitted.changes.push_back(change);
     study.points.push_back(std::move(fitted));
   }
   study.rows.clear();

@@ -63,7 +63,7 @@ TEST(Design, EachMechanismAlsoRunsInOtherSoil) {
       const std::size_t at = design.first_joint + static_cast<std::size_t>(k);
       const auto& point = plain.study.points[at];
       EXPECT_EQ(point.name, std::string(design.mechanism->name) + " joint " + std::to_string(k + 1));
-      EXPECT_EQ(point.changes.size(), design.mechanism->parameters.size() + plain.study.rows.size());
+      EXPECT_EQ(point.changes.size(), design.varied.size() + plain.study.rows.size());
       // Where an input is known, the others are the same as where it is not.
       const auto& beside = known.study.points[at];
       ASSERT_EQ(beside.changes.size(), point.changes.size() - 1);
@@ -79,6 +79,22 @@ TEST(Design, AMechanismOfTheReadingCostsNoRun) {
   for (const parameters::DesignPoint& point : made().study.points)
     for (const char* name : {"depth_datum", "zero_offset", "zero_drift"})
       EXPECT_EQ(point.name.find(name), std::string::npos) << point.name;
+}
+
+TEST(Design, WhatAMechanismDoesNotVaryIsTheStudys) {
+  parameters::Study study = quick_sand();
+  study.baseline.mechanisms.previous_push.depth = 0.6;
+  const Request request = request_of("study = \"sand.toml\"\n" + sounding);
+  const SoundingStudy runs =
+      sounding_study(study, request.soundings[0], request.mechanisms, request.repeats, request.joint);
+  int pushed_before = 0;
+  for (const parameters::Realization& realization : parameters::one_at_a_time(runs.study)) {
+    const solver::Setup setup = parameters::make_setup(runs.study, realization);
+    if (!setup.mechanisms.previous_push.on()) continue;
+    EXPECT_EQ(setup.mechanisms.previous_push.depth, 0.6);
+    ++pushed_before;
+  }
+  EXPECT_GE(pushed_before, 9);
 }
 
 TEST(Design, WhatIsKnownIsNoLongerUncertain) {
