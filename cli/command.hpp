@@ -21,6 +21,8 @@ void add_compare(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_element(CLI::App& program, Action& action);
 void add_list(CLI::App& program, Action& action);
+void add_reference(CLI::App& program, Action& action);
+void add_completion(CLI::App& program, Action& action);
 void add_numerics(CLI::App& program, Action& action);
 void add_paper(CLI::App& program, Action& action);
 void add_conceal(CLI::App& program, Action& action);

@@ -12,8 +12,8 @@
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/study_argument.hpp"
+#include "cli/version.hpp"
 #include "results/error.hpp"
-#include "results/provenance.hpp"
 #include "solver/quantities.hpp"
 #include "solver/simulate.hpp"
 
@@ -61,15 +61,14 @@ std::vector<std::string> command_line(int argc, char** argv, const CLI::App& pro
 
 int run_program(int argc, char** argv) {
   CLI::App program("Uncertainty and sensitivity of simulated cone penetration tests", "campaign");
-  program.set_version_flag("--version", fmt::format("campaign {} (solver {})", results::program_version(),
-                                                    solver::solver_version()));
+  program.set_version_flag("--version", cli::version());
   program.footer(std::string(examples) + cli::exit_code_help);
   program.require_subcommand(1);
   cli::Action action;
   for (const auto add :
        {cli::add_run, cli::add_rerun, cli::add_query, cli::add_compare, cli::add_report, cli::add_push,
         cli::add_paper, cli::add_numerics, cli::add_diagnose, cli::add_conceal, cli::add_reveal,
-        cli::add_element, cli::add_recording, cli::add_list})
+        cli::add_element, cli::add_recording, cli::add_list, cli::add_reference, cli::add_completion})
     add(program, action);
 
   std::vector<std::string> words = command_line(argc, argv, program);

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "diagnosis/request_keys.hpp"
 #include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/fields.hpp"
 #include "parameters/read_quantities.hpp"
@@ -29,10 +29,7 @@ class RequestReader {
   }
 
   Request read() {
-    static constexpr std::array<std::string_view, 8> known = {"title", "study",   "mechanisms", "soundings",
-                                                              "noise", "options", "candidates", "cases"};
-    const bool plan = recordings_ == Recordings::to_be_made;
-    refuse_unknown_keys(root_, "", std::span(known).first(plan ? 8 : 7), errors_);
+    refuse_unknown("", root_, recordings_ == Recordings::to_be_made ? Names{} : Names{"cases"});
     request_.title = text_field(root_, "", "title", false, errors_).value_or(request_.name);
     (void)text_field(root_, "", "study", true, errors_);
     read_mechanisms();
@@ -55,6 +52,14 @@ class RequestReader {
   }
 
  private:
+  using Names = std::vector<std::string_view>;
+
+  void refuse_unknown(std::string_view name, const Value& table, const Names& except = {}) {
+    Names known = known_names(request_keys(), name);
+    std::erase_if(known, [&](std::string_view key) { return std::ranges::count(except, key) > 0; });
+    refuse_unknown_keys(table, name, known, errors_);
+  }
+
   [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& path) const {
     return (request_.file.parent_path() / path).lexically_normal();
   }
@@ -102,22 +107,21 @@ class RequestReader {
                   fmt::format("{} must be above 0", *number));
   }
 
-  void read_count(const Value& table, std::string_view key, int least, int& into) {
-    const auto number = number_field(table, "options", key, false, errors_);
+  void read_count(const Value& table, std::string_view name, int& into) {
+    const auto number = number_field(table, "options", name, false, errors_);
     if (!number) return;
-    if (*number == std::round(*number) && *number >= least && *number <= 1000)
+    const Key& key = key_named(request_keys(), "options", name);
+    if (*number == std::round(*number) && *number >= key.least && *number <= key.most)
       into = static_cast<int>(*number);
     else
-      errors_.add(table.find(key)->value.place, joined("options", key),
-                  fmt::format("{} must be a whole number from {} to 1000", *number, least));
+      errors_.add(table.find(name)->value.place, joined("options", name),
+                  fmt::format("{} must be a whole number from {} to {}", *number, key.least, key.most));
   }
 
   void read_noise() {
-    static constexpr std::array<std::string_view, 3> known = {"measurement_percent", "correlation_mm",
-                                                              "simulated"};
     const Value* table = section(root_, "noise", errors_);
     if (table == nullptr) return;
-    refuse_unknown_keys(*table, "noise", known, errors_);
+    refuse_unknown("noise", *table);
     read_positive(*table, "noise", "measurement_percent", 0.01, request_.measurement);
     read_positive(*table, "noise", "correlation_mm", 0.001, request_.correlation);
     if (const Member* simulated = table->find("simulated")) {
@@ -128,15 +132,13 @@ class RequestReader {
   }
 
   void read_options() {
-    static constexpr std::array<std::string_view, 5> known = {"cell_mm", "repeats", "joint", "confirm",
-                                                              "seed"};
     const Value* table = section(root_, "options", errors_);
     if (table == nullptr) return;
-    refuse_unknown_keys(*table, "options", known, errors_);
+    refuse_unknown("options", *table);
     read_positive(*table, "options", "cell_mm", 0.001, request_.cell_height);
-    read_count(*table, "repeats", 3, request_.repeats);
-    read_count(*table, "joint", 0, request_.joint);
-    read_count(*table, "confirm", 0, request_.confirm);
+    read_count(*table, "repeats", request_.repeats);
+    read_count(*table, "joint", request_.joint);
+    read_count(*table, "confirm", request_.confirm);
     if (const auto seed = number_field(*table, "options", "seed", false, errors_))
       request_.seed = static_cast<std::uint64_t>(std::abs(*seed));
   }
@@ -160,9 +162,7 @@ class RequestReader {
   // A push with its recording, or one that has none (yet).
   void read_sounding(const Value& table, std::string_view list, bool recorded,
                      std::vector<SoundingRequest>& into) {
-    static constexpr std::array<std::string_view, 6> known = {"name",  "from_m",    "to_m",
-                                                              "fixed", "recording", "columns"};
-    refuse_unknown_keys(table, list, std::span(known).first(recorded ? 6 : 4), errors_);
+    refuse_unknown(list, table, recorded ? Names{} : Names{"recording", "columns"});
     SoundingRequest sounding;
     const auto recording = text_field(table, list, "recording", recorded, errors_);
     const auto from = number_field(table, list, "from_m", true, errors_);

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "parameters/designs/design.hpp"
+#include "parameters/study_keys.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -19,14 +20,12 @@ constexpr long most_runs = 20000;  // more than any solver finishes; keeps a typ
 /// A key of the section that holds a whole number.
 struct Number {
   std::string_view key;
-  double least, most;
   std::vector<Kind> kinds;  // that know it
 };
-const std::array<Number, 4> numbers = {
-    {{"runs", 2.0, most_runs, {Kind::latin_hypercube, Kind::sobol}},
-     {"trajectories", 2.0, 1000.0, {Kind::morris}},
-     {"levels", 2.0, 20.0, {Kind::morris}},
-     {"seed", 0.0, 1e15, {Kind::morris, Kind::latin_hypercube, Kind::sobol}}}};
+const std::array<Number, 4> numbers = {{{"runs", {Kind::latin_hypercube, Kind::sobol}},
+                                        {"trajectories", {Kind::morris}},
+                                        {"levels", {Kind::morris}},
+                                        {"seed", {Kind::morris, Kind::latin_hypercube, Kind::sobol}}}};
 
 class DesignReader {
  public:
@@ -34,9 +33,7 @@ class DesignReader {
       : table_(table), rows_(rows), rows_sound_(errors.empty()), errors_(errors) {}
 
   Design read() {
-    static constexpr std::array<std::string_view, 6> known = {"kind",   "runs", "trajectories",
-                                                              "levels", "seed", "parameters"};
-    bool sound = refuse_unknown_keys(table_, "design", known, errors_);
+    bool sound = refuse_unknown_keys(table_, "design", known_names(study_keys(), "design"), errors_);
     const auto kind = name_field(table_, "design", "kind", true, design_kinds(), errors_);
     if (!kind) return {};
     const auto place = std::find(design_kinds().begin(), design_kinds().end(), *kind);
@@ -131,10 +128,11 @@ class DesignReader {
     const auto given = number_field(table_, "design", number.key, false, errors_);
     if (member != nullptr && !given) return false;
     const double value = given.value_or(usual(number.key));
+    const Key& key = key_named(study_keys(), "design", number.key);
     const bool even = number.key != "levels" || std::fmod(value, 2.0) == 0.0;
-    if (value != std::round(value) || !even || value < number.least || value > number.most) {
+    if (value != std::round(value) || !even || value < key.least || value > key.most) {
       refuse(*member, fmt::format("{} must be {} number from {} to {}", value,
-                                  number.key == "levels" ? "an even" : "a whole", number.least, number.most));
+                                  number.key == "levels" ? "an even" : "a whole", key.least, key.most));
       return false;
     }
     if (number.key == "seed")

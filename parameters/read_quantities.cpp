@@ -8,6 +8,8 @@
 #include <map>
 #include <numbers>
 
+#include "parameters/study_keys.hpp"
+
 namespace cpt::parameters {
 namespace {
 
@@ -74,8 +76,6 @@ std::optional<double> read_value(const Value& value, const Quantity& quantity, c
   }
   return number;
 }
-
-constexpr std::array<std::string_view, 4> row_keys = {"baseline", "lower", "upper", "alternative"};
 
 // A quantity named in a section.
 struct Named {
@@ -208,7 +208,8 @@ class Reader {
                   "a single value goes under [fixed]");
       return doubt(named);
     }
-    const bool known_keys = refuse_unknown_keys(table, named.key, row_keys, errors_);
+    const bool known_keys =
+        refuse_unknown_keys(table, named.key, known_names(study_keys(), "parameters"), errors_);
     const Bound baseline = read_bound(named, "baseline"), lower = read_bound(named, "lower"),
                 upper = read_bound(named, "upper"), alternative = read_bound(named, "alternative");
     if (!baseline.sound()) return doubt(named);

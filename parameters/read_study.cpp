@@ -15,18 +15,10 @@
 #include "parameters/fields.hpp"
 #include "parameters/read_design.hpp"
 #include "parameters/read_quantities.hpp"
+#include "parameters/study_keys.hpp"
 
 namespace cpt::parameters {
 namespace {
-
-using Names = std::vector<std::string_view>;
-
-template <class Enum>
-Names names_of(std::span<const Enum> values) {
-  Names names;
-  for (const Enum value : values) names.push_back(solver::to_string(value));
-  return names;
-}
 
 class StudyReader {
  public:
@@ -37,10 +29,7 @@ class StudyReader {
   }
 
   Study read() {
-    static constexpr std::array<std::string_view, 13> known = {
-        "title",  "profile", "preset", "output", "limits",  "fixed", "parameters",
-        "points", "windows", "layers", "zones",  "repeats", "design"};
-    refuse_unknown_keys(root_, "", known, errors_);
+    refuse_unknown("", root_);
     study_.title = text_field(root_, "", "title", false, errors_).value_or(study_.name);
     const bool profile_known = read_profile();
     read_output();
@@ -65,11 +54,19 @@ class StudyReader {
   }
 
  private:
+  bool refuse_unknown(std::string_view name, const Value& table) {
+    return refuse_unknown_keys(table, name, known_names(study_keys(), name), errors_);
+  }
+
+  std::optional<std::string> choice(const Value& table, std::string_view name, std::string_view key,
+                                    bool required) {
+    return name_field(table, name, key, required, key_named(study_keys(), name, key).choices, errors_);
+  }
+
   // The setup to start from; false if the file does not say which.
   bool read_profile() {
-    const Names profiles = names_of(solver::all_profiles()), presets = names_of(solver::all_presets());
-    const auto profile = name_field(root_, "", "profile", true, profiles, errors_);
-    const auto preset = name_field(root_, "", "preset", false, presets, errors_);
+    const auto profile = choice(root_, "", "profile", true);
+    const auto preset = choice(root_, "", "preset", false);
     study_.profile =
         solver::profile_from_string(profile.value_or("")).value_or(solver::Profile::homogeneous_sand);
     study_.preset = solver::preset_from_string(preset.value_or("")).value_or(solver::Preset::standard);
@@ -79,13 +76,12 @@ class StudyReader {
   }
 
   void read_output() {
-    static constexpr std::array<std::string_view, 3> known = {"database", "curves", "report"};
     study_.database = beside(study_.name + ".sqlite");
     study_.curves = beside(study_.name + ".h5");
     study_.report_dir = beside(study_.name + "-report");
     const Value* table = section(root_, "output", errors_);
     if (table == nullptr) return;
-    refuse_unknown_keys(*table, "output", known, errors_);
+    refuse_unknown("output", *table);
     const auto read = [&](std::string_view key, std::filesystem::path& path) {
       if (const auto text = text_field(*table, "output", key, false, errors_)) path = beside(*text);
     };
@@ -109,11 +105,10 @@ class StudyReader {
   }
 
   void read_limits() {
-    static constexpr std::array<std::string_view, 1> known = {"wall_minutes"};
     study_.wall_limit_seconds = std::numeric_limits<double>::infinity();
     const Value* table = section(root_, "limits", errors_);
     if (table == nullptr) return;
-    refuse_unknown_keys(*table, "limits", known, errors_);
+    refuse_unknown("limits", *table);
     const auto minutes = number_field(*table, "limits", "wall_minutes", false, errors_);
     if (!minutes) return;
     if (*minutes <= 0.0)
@@ -123,16 +118,14 @@ class StudyReader {
   }
 
   std::vector<solver::Layer> read_layers() {
-    static constexpr std::array<std::string_view, 3> known = {"top_m", "bottom_m", "soil"};
-    static constexpr std::array<std::string_view, 2> soils = {"sand", "clay"};
     std::vector<solver::Layer> layers;
     bool sound = true;
     for (const Value* table : sections(root_, "layers", errors_)) {
       if (places_.layers.line == 0) places_.layers = table->place;
-      refuse_unknown_keys(*table, "layers", known, errors_);
+      refuse_unknown("layers", *table);
       const auto top = number_field(*table, "layers", "top_m", true, errors_);
       const auto bottom = number_field(*table, "layers", "bottom_m", true, errors_);
-      const auto soil = name_field(*table, "layers", "soil", true, soils, errors_);
+      const auto soil = choice(*table, "layers", "soil", true);
       sound = sound && top && bottom && soil;
       if (sound) layers.push_back({*top, *bottom, *soil == "sand" ? solver::Soil::sand : solver::Soil::clay});
     }
@@ -140,12 +133,11 @@ class StudyReader {
   }
 
   void read_zones() {
-    static constexpr std::array<std::string_view, 3> known = {"outer_radius_m", "columns", "rows_per_m"};
     std::vector<solver::PointZone> zones;
     bool sound = true;
     for (const Value* table : sections(root_, "zones", errors_)) {
       if (places_.zones.line == 0) places_.zones = table->place;
-      refuse_unknown_keys(*table, "zones", known, errors_);
+      refuse_unknown("zones", *table);
       const auto radius = number_field(*table, "zones", "outer_radius_m", true, errors_);
       const auto columns = number_field(*table, "zones", "columns", true, errors_);
       const auto rows = number_field(*table, "zones", "rows_per_m", true, errors_);
@@ -162,7 +154,7 @@ class StudyReader {
   }
 
   void read_points(bool any_soil) {
-    static constexpr std::array<std::string_view, 1> name_key = {"name"};
+    const std::vector<std::string_view> own = known_names(study_keys(), "points");
     std::vector<std::string> names;
     for (const Value* table : sections(root_, "points", errors_)) {
       const auto name = text_field(*table, "points", "name", true, errors_);
@@ -171,8 +163,7 @@ class StudyReader {
                     name->empty() ? "is empty" : fmt::format("\"{}\" names another point already", *name));
       names.push_back(name.value_or(""));
       DesignPoint point{name.value_or(""), {}};
-      for (const Setting& setting :
-           read_settings(*table, "points", name_key, study_.baseline, any_soil, errors_))
+      for (const Setting& setting : read_settings(*table, "points", own, study_.baseline, any_soil, errors_))
         point.changes.push_back({setting.quantity, setting.value});
       if (table->members.size() <= (name ? 1U : 0U))
         errors_.add(table->place, "points", "changes nothing", "give at least one quantity a value");
@@ -204,10 +195,11 @@ class StudyReader {
     const Member* member = root_.find("repeats");
     const auto number = number_field(root_, "", "repeats", false, errors_);
     if (!number) return;
-    constexpr double most = 20.0, farthest = 0.4;  // [-], [cells' share of a point]
-    if (*number < 2.0 || *number > most || std::fmod(*number, 2.0) != 0.0)
+    constexpr double farthest = 0.4;  // [cells' share of a point]
+    const Key& key = key_named(study_keys(), "", "repeats");
+    if (*number < key.least || *number > key.most || std::fmod(*number, 2.0) != 0.0)
       return errors_.add(member->value.place, "repeats",
-                         fmt::format("{} must be an even number from 2 to {}", *number, most),
+                         fmt::format("{} must be an even number from {} to {}", *number, key.least, key.most),
                          "half of them shift the material points one way, half the other");
     const solver::Quantity* shift = solver::find_quantity("numerics.point_shift");
     const int runs = static_cast<int>(*number);
@@ -236,10 +228,8 @@ class StudyReader {
   }
 
   void read_window(const Value& table) {
-    static constexpr std::array<std::string_view, 6> known = {"name",   "from_m",    "to_m",
-                                                              "centre", "between_m", "width_m"};
     Window window;
-    bool sound = refuse_unknown_keys(table, "windows", known, errors_);
+    bool sound = refuse_unknown("windows", table);
     if (const auto name = text_field(table, "windows", "name", true, errors_)) {
       window.name = *name;
       sound = acceptable_name(*name, table.find("name")->value.place) && sound;
@@ -276,9 +266,8 @@ class StudyReader {
   }
 
   bool read_centred(const Value& table, Window& window) {
-    static constexpr std::array<std::string_view, 2> centres = {"baseline_peak", "baseline_trough"};
     bool sound = refuse_fields(table, {"from_m", "to_m"}, "belongs to a window without a centre");
-    const auto centre = name_field(table, "windows", "centre", true, centres, errors_);
+    const auto centre = choice(table, "windows", "centre", true);
     const auto width = number_field(table, "windows", "width_m", true, errors_);
     if (width && *width <= 0.0) {
       errors_.add(table.find("width_m")->value.place, "windows.width_m",

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
+#include "diagnosis/request_keys.hpp"
 #include "parameters/fields.hpp"
 
 namespace cpt::diagnosis::concealed {
@@ -12,24 +12,23 @@ namespace {
 
 using namespace parameters;
 
-void read_count(const Value& table, std::string_view key, ErrorList& errors, int& into) {
-  const auto number = number_field(table, "cases", key, false, errors);
+void read_count(const Value& table, std::string_view name, ErrorList& errors, int& into) {
+  const auto number = number_field(table, "cases", name, false, errors);
   if (!number) return;
-  if (*number == std::round(*number) && *number >= 0.0 && *number <= 9999.0)
+  const Key& key = key_named(request_keys(), "cases", name);
+  if (*number == std::round(*number) && *number >= key.least && *number <= key.most)
     into = static_cast<int>(*number);
   else
-    errors.add(table.find(key)->value.place, joined("cases", key),
-               fmt::format("{} must be a whole number from 0 to 9999", *number));
+    errors.add(table.find(name)->value.place, joined("cases", name),
+               fmt::format("{} must be a whole number from {} to {}", *number, key.least, key.most));
 }
 
 void read_cases(const Value& root, Plan& plan, ErrorList& errors) {
-  static constexpr std::array<std::string_view, 5> known = {"nothing", "single", "pair", "outside",
-                                                            "two_soundings"};
   const Value* table = section(root, "cases", errors);
   if (table == nullptr)
     return errors.add({}, "cases", "is missing: how many cases of which kind",
                       "add [cases] with nothing, single, pair, outside and two_soundings");
-  refuse_unknown_keys(*table, "cases", known, errors);
+  refuse_unknown_keys(*table, "cases", known_names(request_keys(), "cases"), errors);
   Counts& cases = plan.cases;
   read_count(*table, "nothing", errors, cases.nothing);
   read_count(*table, "single", errors, cases.single);

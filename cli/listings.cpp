@@ -1,0 +1,184 @@
+#include "cli/listings.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/exit_codes.hpp"
+#include "diagnosis/request_keys.hpp"
+#include "parameters/study_keys.hpp"
+#include "results/query.hpp"
+#include "solver/mechanisms/catalogue.hpp"
+#include "solver/presets.hpp"
+#include "solver/quantities.hpp"
+#include "solver/simulate.hpp"
+
+namespace cpt::cli {
+namespace {
+
+using results::Table;
+
+std::string range(const solver::Quantity& quantity) {
+  if (quantity.choices.empty()) return fmt::format("{} to {}", quantity.min, quantity.max);
+  return fmt::format("{}", fmt::join(quantity.choices, ", "));
+}
+
+Table quantities(bool all) {
+  const solver::Setup setup = solver::make_setup(solver::Profile::homogeneous_sand, solver::Preset::standard);
+  Table table{{"name", "unit", "range", "default", "meaning"}, {}};
+  if (all) table.columns.insert(table.columns.end(), {"symbol", "source"});
+  for (const solver::Quantity& quantity : solver::all_quantities()) {
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(std::string(quantity.name));
+    row.emplace_back(std::string(quantity.unit));
+    row.emplace_back(range(quantity));
+    row.emplace_back(quantity.format(quantity.value(setup)));
+    row.emplace_back(std::string(quantity.meaning));
+    if (!all) continue;
+    row.emplace_back(std::string(quantity.symbol));
+    row.emplace_back(std::string(quantity.source));
+  }
+  return table;
+}
+
+Table mechanisms(bool all) {
+  Table table{{"mechanism", "what it is", "quantity", "unit", "prior range", "signature in q_c"}, {}};
+  if (all) table.columns.insert(table.columns.end(), {"equation", "source"});
+  for (const solver::Mechanism& mechanism : solver::all_mechanisms()) {
+    bool first = true;
+    for (const solver::MechanismParameter& parameter : mechanism.parameters) {
+      const bool told = all || first;  // on a terminal, once for each mechanism
+      auto& row = table.rows.emplace_back();
+      row.emplace_back(std::string(told ? mechanism.name : ""));
+      row.emplace_back(std::string(told ? mechanism.title : ""));
+      row.emplace_back(std::string(parameter.quantity.name));
+      row.emplace_back(std::string(parameter.quantity.unit));
+      row.emplace_back(fmt::format("{} to {}", parameter.prior_lower, parameter.prior_upper));
+      row.emplace_back(std::string(told ? mechanism.signature : ""));
+      first = false;
+      if (!all) continue;
+      row.emplace_back(std::string(mechanism.equation));
+      row.emplace_back(std::string(mechanism.source));
+    }
+  }
+  return table;
+}
+
+Table profiles(bool) {
+  Table table{{"profile", "layers"}, {}};
+  for (const solver::Profile profile : solver::all_profiles()) {
+    std::string layers;
+    for (const solver::Layer& layer : solver::make_setup(profile, solver::Preset::standard).layers)
+      layers += fmt::format("{}{} {} to {} m", layers.empty() ? "" : ", ",
+                            layer.soil == solver::Soil::sand ? "sand" : "clay", layer.top, layer.bottom);
+    table.rows.push_back({std::string(to_string(profile)), layers});
+  }
+  return table;
+}
+
+Table presets(bool) {
+  Table table{{"preset", "columns x rows per metre of material points", "elements over the cone's radius"},
+              {}};
+  for (const solver::Preset preset : solver::all_presets()) {
+    const solver::Numerics numerics = solver::make_setup(solver::Profile::homogeneous_sand, preset).numerics;
+    std::string zones;
+    for (const solver::PointZone& zone : numerics.zones)
+      zones += fmt::format("{}{} x {}", zones.empty() ? "" : ", ", zone.columns, zone.rows_per_metre);
+    table.rows.push_back({std::string(to_string(preset)), zones, std::int64_t{numerics.face_elements}});
+  }
+  return table;
+}
+
+Table queries(bool) {
+  Table table{{"query", "meaning"}, {}};
+  for (const results::NamedQuery& query : results::named_queries())
+    table.rows.push_back({std::string(query.name), std::string(query.meaning)});
+  return table;
+}
+
+Table outcomes(bool) {
+  using solver::Status;
+  Table table{{"outcome", "meaning"}, {}};
+  const std::pair<Status, const char*> meanings[] = {
+      {Status::completed, "pushed to the final depth, audit passed"},
+      {Status::did_not_converge, "the stress integration or the motion broke down"},
+      {Status::energy_drift, "the energy balance left its tolerance"},
+      {Status::time_limit, "wall-clock limit, or no step for too long"},
+      {Status::invalid_parameters, "the inputs describe no possible model"},
+      {Status::crashed, "its process died; the reason says how"},
+      {Status::rank_lost, "the MPI ranks that ran it were lost"}};
+  for (const auto& [status, meaning] : meanings)
+    table.rows.push_back({std::string(to_string(status)), std::string(meaning)});
+  return table;
+}
+
+// "[limits]", "[[windows]]", "" at the top of the file.
+std::string heading(const parameters::KeyTable& table) {
+  if (table.name.empty()) return "";
+  return table.list ? fmt::format("[[{}]]", table.name) : fmt::format("[{}]", table.name);
+}
+
+Table keys(std::span<const parameters::KeyTable> tables) {
+  Table rows{{"section", "key", "values", "without it", "meaning"}, {}};
+  for (const parameters::KeyTable& table : tables) {
+    if (!table.name.empty())
+      rows.rows.push_back(
+          {heading(table), std::string(), std::string(), std::string(), std::string(table.meaning)});
+    for (const parameters::Key& key : table.keys)
+      rows.rows.push_back({heading(table), std::string(key.name), values_of(key), std::string(key.usually),
+                           std::string(key.meaning)});
+  }
+  return rows;
+}
+
+Table study_keys(bool) { return keys(parameters::study_keys()); }
+Table request_keys(bool) { return keys(diagnosis::request_keys()); }
+
+Table exit_codes(bool) {
+  Table table{{"exit code", "meaning"}, {}};
+  for (const ExitMeaning& exit : exit_meanings())
+    table.rows.push_back({to_string(exit.code), std::string(exit.meaning)});
+  return table;
+}
+
+Table environment(bool) {
+  return {{"variable", "meaning"},
+          {{"CPT_RECORDINGS", "folder of recordings that do not lie beside their request"},
+           {"CPT_INSTRUCTION_SET",
+            "avx2 or baseline: the widest vector instructions to use, where the processor has wider ones"},
+           {"OMPI_ALLOW_RUN_AS_ROOT",
+            "1, with OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1, lets Open MPI's mpirun run as root"}}};
+}
+
+Table files(bool) {
+  return {
+      {"file", "meaning"},
+      {{"NAME.toml", "a study, a request for a diagnosis, or a plan of concealed cases"},
+       {"NAME.sqlite", "the campaign's ledger: realizations, settings, curves, window means (schema.md)"},
+       {"NAME.h5", "its curves as HDF5"},
+       {"NAME-report/", "its report, index.html first"},
+       {"NAME.checkpoints/", "states of pushes that are not finished"},
+       {"NAME-diagnosis.sqlite", "runs that diagnoses of the study NAME made"},
+       {"NAME-push/", "fields and histories of `campaign push` (output.md)"},
+       {"NAME-cases/, NAME-sealed/", "what `campaign conceal` drew: recordings and requests; the truth"}}};
+}
+
+constexpr Listing all_listings[] = {
+    {"study-keys", "Keys of a study", "the keys of a study file", study_keys},
+    {"quantities", "Quantities",
+     "everything a study can set or vary; defaults of homogeneous_sand at standard", quantities},
+    {"profiles", "Profiles", "soil profiles a study can start from", profiles},
+    {"presets", "Presets", "resolutions of the model", presets},
+    {"request-keys", "Keys of a request", "the keys of a request for a diagnosis", request_keys},
+    {"mechanisms", "Mechanisms", "physical effects that can be switched on and that a diagnosis looks for",
+     mechanisms},
+    {"queries", "Queries", "what campaign query answers", queries},
+    {"outcomes", "Outcomes", "how a realization can end", outcomes},
+    {"exit-codes", "Exit codes", "what the program returns", exit_codes},
+    {"environment", "Environment", "variables of the environment that the program reads", environment},
+    {"files", "Files", "what the program reads and writes", files},
+};
+
+}  // namespace
+
+std::span<const Listing> listings() { return all_listings; }
+
+}  // namespace cpt::cli

@@ -1,0 +1,104 @@
+#include "parameters/study_keys.hpp"
+
+#include "parameters/designs/design.hpp"
+#include "solver/presets.hpp"
+
+namespace cpt::parameters {
+namespace {
+
+template <class Enum>
+std::vector<std::string_view> names_of(std::span<const Enum> values) {
+  std::vector<std::string_view> names;
+  for (const Enum value : values) names.push_back(solver::to_string(value));
+  return names;
+}
+
+std::vector<KeyTable> listed_tables() {
+  constexpr double least = -std::numeric_limits<double>::infinity();
+  constexpr double most = std::numeric_limits<double>::infinity();
+  const auto kinds = design_kinds();
+  return {
+      {"",
+       false,
+       "the top of the file",
+       {{"title", "text", "the file's name", "name of the study in its report"},
+        {"profile", "text", "required", "soil and chamber to start from", least, most,
+         names_of(solver::all_profiles())},
+        {"preset", "text", "standard", "resolution of the model", least, most,
+         names_of(solver::all_presets())},
+        {"repeats", "even number", "none",
+         "runs of the baseline with shifted material points: their scatter is noise", 2.0, 20.0}}},
+      {"output",
+       false,
+       "where results go; relative paths start at the study's folder",
+       {{"database", "path", "NAME.sqlite", "ledger of all realizations"},
+        {"curves", "path", "NAME.h5", "curves as HDF5"},
+        {"report", "path", "NAME-report", "folder of the report"}}},
+      {"limits",
+       false,
+       "what a realization may take",
+       {{"wall_minutes", "number above 0", "no limit",
+         "wall-clock time after which one realization is ended"}}},
+      {"fixed", false, "quantities in place of the preset's value: \"NAME\" = VALUE", {}},
+      {"parameters",
+       false,
+       "uncertain quantities, each varied alone: \"NAME\" = { one row }",
+       {{"baseline", "value of the quantity", "that of [fixed] or the preset",
+         "value while others are varied"},
+        {"lower", "value of the quantity", "the baseline", "lower bound, at most the baseline"},
+        {"upper", "value of the quantity", "the baseline", "upper bound, at least the baseline"},
+        {"alternative", "value of the quantity", "none", "one other value, in place of lower and upper"}}},
+      {"points",
+       true,
+       "a realization with several quantities changed at once: \"NAME\" = VALUE",
+       {{"name", "text", "required", "name of the realization, unique in the study"}}},
+      {"design",
+       false,
+       "further runs that change several rows at once (designs.md)",
+       {{"kind", "text", "required", "which design", least, most, {kinds.begin(), kinds.end()}},
+        {"runs", "whole number", "10 for each parameter; of sobol 64",
+         "latin_hypercube: runs; sobol: rows of its two samples", 2.0, 20000.0},
+        {"trajectories", "whole number", "10", "morris: paths through the parameters", 2.0, 1000.0},
+        {"levels", "even number", "4", "morris: levels of its grid", 2.0, 20.0},
+        {"seed", "whole number", "1", "of its points and of its bootstrap; not for pairs", 0.0, 1e15},
+        {"parameters", "array of names", "all rows; of pairs the first four",
+         "rows of [parameters] that vary together"}}},
+      {"windows",
+       true,
+       "a depth interval over which q_c is averaged; at least one",
+       {{"name", "text of letters, digits, _ and -", "required", "name of the window, unique in the study"},
+        {"from_m", "number", "required without centre", "upper end of the interval [m]"},
+        {"to_m", "number", "required without centre", "lower end of the interval [m]"},
+        {"centre",
+         "text",
+         "none",
+         "extreme of the baseline's q_c at the middle of the interval",
+         least,
+         most,
+         {"baseline_peak", "baseline_trough"}},
+        {"between_m", "array of two numbers", "required with centre",
+         "depths between which the extreme is looked for [m]"},
+        {"width_m", "number above 0", "required with centre", "width of the interval [m]"}}},
+      {"layers",
+       true,
+       "a layer in place of the profile's; all of them, from the top, without gaps",
+       {{"top_m", "number", "required", "depth of its top [m]"},
+        {"bottom_m", "number", "required", "depth of its bottom [m]"},
+        {"soil", "text", "required", "what it consists of", least, most, {"sand", "clay"}}}},
+      {"zones",
+       true,
+       "a radial zone of material points in place of the preset's; all of them, from the axis",
+       {{"outer_radius_m", "number", "required", "where it ends [m]"},
+        {"columns", "whole number", "required", "columns of material points in it", 1.0, 5000.0},
+        {"rows_per_m", "number", "required", "rows of material points per metre of depth", 1.0, 20000.0}}},
+  };
+}
+
+}  // namespace
+
+std::span<const KeyTable> study_keys() {
+  static const std::vector<KeyTable> tables = listed_tables();
+  return tables;
+}
+
+}  // namespace cpt::parameters
