@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "campaign/progress_display.hpp"
 #include "cli/command.hpp"
@@ -67,6 +70,11 @@ std::pair<std::string, reports::Range> parse_range(const std::string& text,
     throw BadInput(fmt::format("--range {}: the first number must be the smaller one", text));
   if (quantity.kind == ScaleKind::log && !(low > 0.0))
     throw BadInput(fmt::format("--range {}: the scale is logarithmic, so both must be above 0", text));
+  if (quantity.kind == ScaleKind::diverging && low != -high)
+    throw BadInput(
+        fmt::format("--range {}: zero is the middle of this scale; give as much below it as above, "
+                    "e.g. {}=-{},{}",
+                    text, quantity.name, std::abs(high), std::abs(high)));
   return {std::string(quantity.name), {low, high}};
 }
 
@@ -186,8 +194,7 @@ QUANTITY is one of
 {}
 Each frame is half a section through the chamber. Colour scales are the same in all frames: fitted so that 1 % of the
 area shown lies below them and 0.5 % above (stresses: logarithmic, 0.1 % above), then rounded outward. Change of void
-ratio: blue contracts, red dilates. In clay, which is undrained, stresses are total
-(docs/output.md).
+ratio: blue contracts, red dilates. In clay, which is undrained, stresses are total (docs/output.md).
 
 Examples:
   campaign push sens.toml --fields-every 0.01 && campaign view sens-push

@@ -35,7 +35,7 @@ void draw_colour_bar(Svg& svg, const Box& panel, const Panel& shown) {
   svg.image(bar, png_uri(bar_shades));
   // Pointed where values may lie beyond the end.
   const double middle = bar.y + 0.5 * bar.height;
-  if (scale.kind != ScaleKind::from_zero)
+  if (scale.kind != ScaleKind::from_zero || scale.low > 0.0)
     svg.polygon(std::array{Point{bar.x, bar.y}, Point{bar.x - 5.0, middle}, Point{bar.x, bar.bottom()}},
                 hex(shade_at(scale.map, 0.0)));
   svg.polygon(std::array{Point{bar.right(), bar.y}, Point{bar.right() + 5.0, middle},

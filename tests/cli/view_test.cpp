@@ -93,6 +93,7 @@ TEST_F(View, BadInputIsExitCode2AndSaysWhatIsValid) {
   refused({"--range", "p=10"}, "LOW,HIGH");
   refused({"--range", "p=0,10"}, "logarithmic");
   refused({"--range", "displacement=3,2"}, "the smaller one");
+  refused({"--range", "void_ratio_change=-0.1,0.2"}, "e.g. void_ratio_change=-0.2,0.2");
   refused({"--range", "q=1,10"}, "not shown");
   refused({"--around", "0.4"}, "1 to 17.79 cone diameters");
   refused({"--around", "2m"}, "0.0253m to 0.45m");
