@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 void add_run(CLI::App& program, Action& action);
 void add_rerun(CLI::App& program, Action& action);
 void add_push(CLI::App& program, Action& action);
+void add_view(CLI::App& program, Action& action);
 void add_query(CLI::App& program, Action& action);
 void add_compare(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);

@@ -130,6 +130,11 @@ void add_push(CLI::App& program, Action& action) {
                    "Depths of the tip at which to write the fields; 0 is the start")
       ->type_name("M,M");
   command
+      ->add_option("--fields-every", arguments->fields_every,
+                   "Write the fields at the start and whenever the tip has gone so far; campaign view draws "
+                   "them")
+      ->type_name("M");
+  command
       ->add_option("--track", arguments->track,
                    "Follow the material point that starts nearest to this radius and depth")
       ->type_name("R_M,DEPTH_M");
@@ -151,7 +156,8 @@ void add_push(CLI::App& program, Action& action) {
   command->add_flag("--keep", arguments->keep,
                     "Do nothing if FOLDER holds this push already: same inputs, solver and recording");
   command->footer(R"(Writes to FOLDER (docs/output.md describes the files)
-  NAME-fields/NAME.pvd   stress, void ratio, displacement, ... at the chosen depths; opens in ParaView
+  NAME-fields/NAME.pvd   stress, void ratio, displacement, ... at the chosen depths; opens in ParaView;
+                         campaign view draws them
   NAME-histories.h5      material points and wall stresses over the push, all of the soil at its end
   NAME-profile.csv       q_c and f_s over depth
   NAME-radial.csv        void ratio and its change by radius, at the end
@@ -159,6 +165,7 @@ NAME is the study's, with -ID unless that is the baseline. Options with ... take
 
 Examples:
   campaign push sens.toml --fields-at 0,0.2,0.4,0.53 --out fields
+  campaign push sens.toml --fields-every 0.01
   campaign push sens.toml 4 --track 0.01265,0.5 0.0253,0.5 0.03795,0.5 --wall-between 0.45,0.55
   campaign push sens.toml --set sand.D_r_percent=60 chamber.wall=flexible --radial-between 0.2,0.4)");
   command->callback([arguments, &action] { action = [arguments] { return run_push(*arguments); }; });

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/number_list.hpp"
 #include "cli/set_quantity.hpp"
@@ -25,6 +26,17 @@ std::vector<double> field_depths(const PushArguments& arguments, const solver::S
       check_depth("--fields-at", depth, setup.penetrometer.final_depth, "where the push ends");
       depths.push_back(depth);
     }
+  if (const double step = arguments.fields_every; step != 0.0) {
+    const double end = setup.penetrometer.final_depth;
+    if (!(step >= 1e-4 && step <= end))
+      throw BadInput(
+          fmt::format("--fields-every {}: must be 0.0001 to {} m, where the push ends", step, end));
+    const double start = setup.penetrometer.diameter / 2.0 / std::tan(setup.penetrometer.apex / 2.0);
+    depths.push_back(0.0);
+    for (int i = 1; i * step <= end * (1.0 + 1e-12); ++i)
+      if (i * step > start)  // files are named by their depth: 0.15, not 0.15000000000000002
+        depths.push_back(std::min(end, std::round(i * step * 1e10) / 1e10));
+  }
   std::sort(depths.begin(), depths.end());
   depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
   return depths;

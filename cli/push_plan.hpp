@@ -17,6 +17,7 @@ struct PushArguments {
   int id = 1;
   std::vector<std::string> settings;  // name=value
   std::vector<std::string> fields_at, track, wall_between;
+  double fields_every = 0.0;  // [m]; 0: at no further depths
   std::string radial_between;
   std::filesystem::path folder;
   int threads = 0;

@@ -5,6 +5,7 @@
 #include <librsvg/rsvg.h>
 
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 #include "results/error.hpp"
@@ -12,39 +13,91 @@
 namespace cpt::reports {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& file, GError* error) {
+using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+
+[[noreturn]] void fail(const std::string& what, GError* error) {
   const std::string why = error != nullptr ? error->message : "unknown reason";
   if (error != nullptr) g_error_free(error);
-  throw results::Error(fmt::format("{}: cannot be drawn ({})", file.string(), why));
+  throw results::Error(fmt::format("{}: cannot be drawn ({})", what, why));
+}
+
+Surface surface_of(int width, int height) {
+  return {cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height), cairo_surface_destroy};
+}
+
+// Cairo's rows may be longer than the picture's.
+Surface surface_of(const Picture& picture) {
+  Surface surface = surface_of(picture.width, picture.height);
+  cairo_surface_flush(surface.get());
+  unsigned char* const data = cairo_image_surface_get_data(surface.get());
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  for (int row = 0; row < picture.height && data != nullptr; ++row)
+    std::memcpy(data + static_cast<std::ptrdiff_t>(row) * stride,
+                picture.pixels.data() + static_cast<std::ptrdiff_t>(row) * picture.width,
+                static_cast<std::size_t>(picture.width) * sizeof(std::uint32_t));
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
 }
 
 }  // namespace
 
-void write_png(const std::string& svg, const std::filesystem::path& file, double dots_per_inch) {
+Picture render(const std::string& svg, double dots_per_inch, const std::string& what) {
   GError* error = nullptr;
   const std::unique_ptr<RsvgHandle, decltype(&g_object_unref)> handle(
       rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error),
       g_object_unref);
-  if (handle == nullptr) fail(file, error);
+  if (handle == nullptr) fail(what, error);
   rsvg_handle_set_dpi(handle.get(), dots_per_inch);
   double width = 0.0;
   double height = 0.0;
-  if (rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width, &height) == 0) fail(file, nullptr);
+  if (rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width, &height) == 0) fail(what, nullptr);
 
-  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(width)),
-                                 static_cast<int>(std::ceil(height))),
-      cairo_surface_destroy);
+  // A size that was meant to be whole may miss it by rounding.
+  const auto whole = [](double size) { return static_cast<int>(std::ceil(size - 1e-6)); };
+  const Surface surface = surface_of(whole(width), whole(height));
   const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()),
                                                                    cairo_destroy);
   cairo_set_source_rgb(context.get(), 1.0, 1.0, 1.0);
   cairo_paint(context.get());
   const RsvgRectangle viewport{0.0, 0.0, width, height};
-  if (rsvg_handle_render_document(handle.get(), context.get(), &viewport, &error) == 0) fail(file, error);
-  const cairo_status_t status = cairo_surface_write_to_png(surface.get(), file.c_str());
+  if (rsvg_handle_render_document(handle.get(), context.get(), &viewport, &error) == 0) fail(what, error);
+
+  cairo_surface_flush(surface.get());
+  const unsigned char* const data = cairo_image_surface_get_data(surface.get());
+  if (data == nullptr) fail(what, nullptr);
+  Picture picture{whole(width), whole(height), {}};
+  picture.pixels.resize(static_cast<std::size_t>(picture.width) * picture.height);
+  for (int row = 0; row < picture.height; ++row)
+    std::memcpy(picture.pixels.data() + static_cast<std::ptrdiff_t>(row) * picture.width,
+                data + static_cast<std::ptrdiff_t>(row) * cairo_image_surface_get_stride(surface.get()),
+                static_cast<std::size_t>(picture.width) * sizeof(std::uint32_t));
+  for (std::uint32_t& pixel : picture.pixels) pixel &= 0xffffff;
+  return picture;
+}
+
+void write_png(const Picture& picture, const std::filesystem::path& file) {
+  const cairo_status_t status = cairo_surface_write_to_png(surface_of(picture).get(), file.c_str());
   if (status != CAIRO_STATUS_SUCCESS)
     throw results::Error(
         fmt::format("{}: cannot be written ({})", file.string(), cairo_status_to_string(status)));
+}
+
+void write_png(const std::string& svg, const std::filesystem::path& file, double dots_per_inch) {
+  write_png(render(svg, dots_per_inch, file.string()), file);
+}
+
+std::string png_uri(const Picture& picture) {
+  std::string png;
+  const auto append = [](void* to, const unsigned char* bytes, unsigned count) {
+    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), count);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface_of(picture).get(), append, &png);
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw results::Error(fmt::format("a picture cannot be drawn ({})", cairo_status_to_string(status)));
+  const std::unique_ptr<gchar, decltype(&g_free)> text(
+      g_base64_encode(reinterpret_cast<const guchar*>(png.data()), png.size()), g_free);
+  return "data:image/png;base64," + std::string(text.get());
 }
 
 }  // namespace cpt::reports

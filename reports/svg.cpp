@@ -73,6 +73,13 @@ void Svg::polygon(std::span<const Point> corners, std::string_view fill) {
   fmt::format_to(std::back_inserter(body_), "<polygon points=\"{}\" fill=\"{}\"/>\n", points, fill);
 }
 
+void Svg::image(const Box& box, std::string_view uri) {
+  fmt::format_to(std::back_inserter(body_),
+                 "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+                 "image-rendering=\"optimizeSpeed\" href=\"{}\"/>\n",
+                 length(box.x), length(box.y), length(box.width), length(box.height), uri);
+}
+
 void Svg::text(Point at, const Rich& text, const TextStyle& style) {
   constexpr std::string_view anchors[] = {"start", "middle", "end"};
   const std::string place =

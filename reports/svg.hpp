@@ -47,6 +47,8 @@ class Svg {
   /// Points that are not finite break the line.
   void polyline(std::span<const Point> points, const Pen& pen);
   void polygon(std::span<const Point> corners, std::string_view fill);
+  /// A picture as png_uri() gives it, its pixels as hard squares.
+  void image(const Box& box, std::string_view uri);
   /// `at` is on the base line.
   void text(Point at, const Rich& text, const TextStyle& style = {});
 

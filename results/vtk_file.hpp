@@ -1,12 +1,13 @@
 // Points with data as VTK XML files, for ParaView and VisIt: .vtu, and .pvd for a series of them.
 //
 // The format is that of "The VTK User's Guide", chapter "VTK File Formats": an unstructured grid of vertices,
-// its arrays appended as raw bytes.
+// its arrays appended as raw bytes. What is read is what is written here, not all that VTK allows.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "results/error.hpp"
@@ -28,8 +29,14 @@ struct VtkPoints {
   std::vector<VtkArray> arrays;
 };
 
+/// The array of that name; nullptr if there is none.
+[[nodiscard]] const VtkArray* find_array(const VtkPoints& points, std::string_view name);
+
 /// Throws Error if the file cannot be written.
 void write_vtu(const std::filesystem::path& file, const VtkPoints& points);
+/// Reads what write_vtu wrote, to the same bits. Throws Error if the file is missing, damaged or of another
+/// program.
+[[nodiscard]] VtkPoints read_vtu(const std::filesystem::path& file);
 
 /// One file of a series and its place on ParaView's time axis.
 struct VtkFrame {
@@ -39,5 +46,7 @@ struct VtkFrame {
 
 /// Throws Error if the file cannot be written.
 void write_pvd(const std::filesystem::path& file, const std::vector<VtkFrame>& frames);
+/// Reads what write_pvd wrote. Throws Error as read_vtu.
+[[nodiscard]] std::vector<VtkFrame> read_pvd(const std::filesystem::path& file);
 
 }  // namespace cpt::results

@@ -43,10 +43,12 @@ const std::vector<Outside> outside = {
     {"CLI/.*", {"cli/"}},
     {"nlohmann/.*", {"results/table_format.cpp", "reports/", "diagnosis/concealed/"}},
     {"librsvg/.*|cairo.*", {"reports/"}},
+    {"gif_lib\\.h", {"reports/gif.cpp"}},
     {"Eigen/.*", {"solver/", "parameters/calibration/trend.cpp", "parameters/designs/", "diagnosis/"}},
     {"boost/math/.*",
      {"parameters/calibration/hardening.cpp", "results/discretization_error.cpp", "results/repeat_noise.cpp",
       "results/window_noise.cpp", "diagnosis/scoring.cpp", "parameters/designs/bootstrap.cpp"}},
+    {"boost/property_tree/.*", {"results/vtk_reader.cpp"}},
     {"boost/random/.*", {"parameters/designs/"}},
     {"omp\\.h|immintrin\\.h", {"solver/"}},
     // The operating system: locks on files, processes, the terminal.

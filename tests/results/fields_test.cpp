@@ -1,4 +1,5 @@
 // VTK files read back by a small reader of their own XML: structure, raw bytes, units and signs.
+#include <cmath>
 #include <cstring>
 #include <sstream>
 
@@ -98,6 +99,54 @@ TEST_F(Fields, SeriesListsItsFilesInOrder) {
   EXPECT_EQ(attribute(pvd, "0.35002", "file"), "sand-0.35m.vtu");
   EXPECT_TRUE(std::filesystem::exists(folder / "sand-0.35m.vtu"));
   EXPECT_EQ(series.size(), 2U);
+}
+
+TEST_F(Fields, AreReadBackToTheSameBits) {
+  now[0].p_i = std::numeric_limits<double>::quiet_NaN();
+  FieldSeries series(folder, "sand", "settings <a--b>");
+  series.add(0.2, 0.20000000000000004, now, start);
+  series.add(0.35, 0.35002, start, start);
+  const std::vector<VtkFrame> frames = read_pvd(series.file());
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[0].time, 0.20000000000000004);
+  EXPECT_EQ(frames[1].file, "sand-0.35m.vtu");
+
+  const VtkPoints points = read_vtu(folder / frames[0].file);
+  EXPECT_NE(points.comment.find("tip at 0.20000000000000004 m"), std::string::npos) << points.comment;
+  EXPECT_EQ(points.ids, (std::vector<std::int64_t>{3, 8, 9}));
+  EXPECT_EQ(points.positions,
+            (std::vector<double>{0.1, -0.2, 0, 0.2 + 0.004, -0.3 - 0.003, 0, 0.3, -0.4, 0}));
+  ASSERT_NE(find_array(points, "stress_Pa"), nullptr);
+  EXPECT_EQ(find_array(points, "stress_Pa")->components, 6U);
+  EXPECT_EQ(find_array(points, "stress_Pa")->component_names[3], "rz");
+  EXPECT_EQ(find_array(points, "stress_Pa")->values[7], -16e3);
+  EXPECT_EQ(find_array(points, "void_ratio")->values[1], 0.75);
+  EXPECT_TRUE(std::isnan(find_array(points, "p_i_Pa")->values[0]));
+  EXPECT_EQ(find_array(points, "pressure"), nullptr);
+}
+
+TEST_F(Fields, DamagedFilesAreNamed) {
+  FieldSeries series(folder, "sand", "origin");
+  series.add(0.2, 0.2, now, start);
+  const std::filesystem::path good = folder / "sand-0.2m.vtu", bad = folder / "bad.vtu";
+  const std::string whole = bytes_of(good);
+  const auto refused = [&](const std::string& content) {
+    std::ofstream(bad, std::ios::binary) << content;
+    try {
+      (void)read_vtu(bad);
+      return std::string();
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(refused(whole), "");
+  for (const std::string& content :
+       {std::string(), std::string("<a></b>"), whole.substr(0, 300), whole.substr(0, whole.size() / 2),
+        "x" + whole, std::string(whole).replace(whole.find("Points=\"3\""), 10, "Points=\"4\"")})
+    EXPECT_NE(refused(content).find("bad.vtu"), std::string::npos) << content.substr(0, 80);
+  EXPECT_THROW((void)read_vtu(folder / "missing.vtu"), Error);
+  EXPECT_THROW((void)read_pvd(good), Error);
+  EXPECT_THROW((void)read_pvd(folder), Error);
 }
 
 TEST_F(Fields, UnwritablePlaceIsNamed) {
