@@ -66,11 +66,10 @@ int run_program(int argc, char** argv) {
   program.footer(std::string(examples) + cli::exit_code_help);
   program.require_subcommand(1);
   cli::Action action;
-  for (const auto add :
-       {cli::add_run, cli::add_rerun, cli::add_query, cli::add_compare, cli::add_report, cli::add_push,
-        cli::add_view, cli::add_paper, cli::add_numerics, cli::add_diagnose, cli::add_conceal,
-        cli::add_reveal, cli::add_element, cli::add_recording, cli::add_list, cli::add_reference,
-        cli::add_completion})
+  for (const auto add : {cli::add_run, cli::add_rerun, cli::add_query, cli::add_compare, cli::add_report,
+                         cli::add_push, cli::add_view, cli::add_paper, cli::add_numerics, cli::add_diagnose,
+                         cli::add_conceal, cli::add_reveal, cli::add_element, cli::add_recording,
+                         cli::add_list, cli::add_reference, cli::add_completion})
     add(program, action);
 
   std::vector<std::string> words = command_line(argc, argv, program);
