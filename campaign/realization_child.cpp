@@ -125,9 +125,9 @@ solver::Outcome run(const Order& order, const Simulate& simulate) {
   if (const std::optional<solver::PushState> state = kept_state(order)) {
     execution.resume = &*state;
     try {
-      if (const auto depth = state->find("push.depth"); depth != state->end())
-        send_remark(order.realization,
-                    fmt::format("goes on from its checkpoint at {:.1f} mm depth", depth->second.at(0) * 1e3));
+      if (const auto depth = state->find("push.depth"); depth != state->end() && !depth->second.empty())
+        send_remark(order.realization, fmt::format("goes on from its checkpoint at {:.1f} mm depth",
+                                                   depth->second.front() * 1e3));
       return simulate(order.setup, reporter, execution);
     } catch (const solver::StateMismatch& problem) {
       send_remark(order.realization, fmt::format("starts afresh; its checkpoint is of no use: {}: {}",

@@ -72,8 +72,15 @@ void put_text_at(hid_t at, const std::string& name, const std::string& value) {
   check(H5Awrite(attribute.id(), type.id(), static_cast<const void*>(&bytes)), "write an attribute");
 }
 
+/// HDF5 reads as many values as the file has, whatever there is room for.
+void require_one_value(const Handle& attribute, const std::string& name) {
+  const Handle space(H5Aget_space(attribute.id()), H5Sclose, name);
+  if (H5Sget_simple_extent_npoints(space.id()) != 1) throw Error(fmt::format("{} is not one value", name));
+}
+
 std::string text_at(hid_t at, const std::string& name) {
   const Handle attribute(H5Aopen(at, name.c_str(), H5P_DEFAULT), H5Aclose, name);
+  require_one_value(attribute, name);
   const Handle type = utf8_type();
   char* bytes = nullptr;
   check(H5Aread(attribute.id(), type.id(), static_cast<void*>(&bytes)), "read an attribute");
@@ -95,7 +102,8 @@ std::string seal_of(std::string_view content) {
 }
 
 void check_seal(std::string_view file) {
-  if (!file.starts_with(seal_start)) return;
+  if (!file.starts_with(seal_start))
+    throw Error("not a file of this program: it does not start with a checksum");
   if (file.size() < seal_size || file.substr(0, seal_size) != seal_of(file.substr(seal_size)))
     throw Error("damaged: its bytes do not match their checksum");
 }
@@ -154,6 +162,7 @@ void Hdf5Group::put_number(const std::string& name, double value) const {
 std::optional<double> Hdf5Group::number(const std::string& name) const {
   if (H5Aexists(id_, name.c_str()) <= 0) return std::nullopt;
   const Handle attribute(H5Aopen(id_, name.c_str(), H5P_DEFAULT), H5Aclose, name);
+  require_one_value(attribute, name);
   double value = 0.0;
   check(H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value), "read an attribute");
   return value;
@@ -177,7 +186,9 @@ std::vector<double> Hdf5Group::array(const std::string& name) const {
   const Handle set(H5Dopen2(id_, name.c_str(), H5P_DEFAULT), H5Dclose, name);
   const Handle space(H5Dget_space(set.id()), H5Sclose, "an array");
   const hssize_t size = H5Sget_simple_extent_npoints(space.id());
-  if (size < 0) throw Error("HDF5 cannot tell the size of an array");
+  // A file may name any size; one that the program wrote holds every value.
+  if (size < 0 || H5Dget_storage_size(set.id()) / sizeof(double) < static_cast<hsize_t>(size))
+    throw Error(fmt::format("{} is not an array of 64-bit floats", name));
   std::vector<double> values(static_cast<std::size_t>(size));
   check(H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read an array");
   return values;

@@ -49,8 +49,7 @@ class Hdf5Group {
 /// complete. Throws Error, naming the file and why.
 void write_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& fill);
 
-/// Opens a file to read from its root. Throws Error if the file's seal is broken; a file without one (of
-/// other programs and earlier versions) is read as it is.
+/// Opens a file to read from its root. Throws Error if the file has no seal or a broken one.
 void read_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& read);
 
 }  // namespace cpt::results

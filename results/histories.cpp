@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
+
 #include "results/hdf5_file.hpp"
 
 namespace cpt::results {
@@ -14,6 +17,14 @@ constexpr const char* origin_names[] = {"study",    "title",           "realizat
 double required(const Hdf5Group& group, const char* name) {
   if (const auto value = group.number(name)) return *value;
   throw Error(fmt::format("the attribute {} is missing", name));
+}
+
+/// A count or a number of something.
+int whole(const Hdf5Group& group, const char* name) {
+  const double value = required(group, name);
+  if (!(value >= 0.0 && value <= std::numeric_limits<int>::max() && value == std::floor(value)))
+    throw Error(fmt::format("{} is not a whole number", name));
+  return static_cast<int>(value);
 }
 
 void put_columns(const Hdf5Group& group, const HistoryColumns& columns) {
@@ -39,7 +50,7 @@ void put(const Hdf5Group& group, const PointHistory& point) {
 PointHistory point_of(const Hdf5Group& group) {
   return {{required(group, "wanted_r_m"), required(group, "wanted_depth_m")},
           {required(group, "start_r_m"), required(group, "start_depth_m")},
-          static_cast<std::int64_t>(required(group, "id")),
+          whole(group, "id"),
           group.text("material"),
           columns_of(group)};
 }
@@ -52,9 +63,7 @@ void put(const Hdf5Group& group, const WallHistory& wall) {
 }
 
 WallHistory wall_of(const Hdf5Group& group) {
-  return {{required(group, "from_m"), required(group, "to_m")},
-          static_cast<int>(required(group, "points")),
-          columns_of(group)};
+  return {{required(group, "from_m"), required(group, "to_m")}, whole(group, "points"), columns_of(group)};
 }
 
 void put(const Hdf5Group& group, const SoilAtEnd& soil) {

@@ -103,6 +103,8 @@ Opened match_realizations(const Database& database, const parameters::Study& stu
 void refuse_damaged(const Database& database) {
   Statement check = database.prepare("PRAGMA integrity_check(1)");
   if (!check.step() || check.text(0) != "ok") fail_damaged(database.file(), check.text(0));
+  if (database.prepare("PRAGMA foreign_key_check").step())
+    fail_damaged(database.file(), "a row refers to one that is not there");
 }
 
 void tell_changes(const std::vector<std::string>& changes, Opened& opened) {

@@ -258,7 +258,11 @@ solver::DepthProfile read_profile(const Database& database, int id) {
   Statement row = database.prepare("SELECT depth_m, q_c_Pa, f_s_Pa FROM curve WHERE realization = ?");
   row.bind(id);
   if (!row.step()) return {};
-  return {row.doubles(0), row.doubles(1), row.doubles(2)};
+  solver::DepthProfile profile{row.doubles(0), row.doubles(1), row.doubles(2)};
+  if (profile.q_c.size() != profile.depth.size() || profile.f_s.size() != profile.depth.size())
+    fail_damaged(database.file(),
+                 fmt::format("the curve of realization {} has columns of different lengths", id));
+  return profile;
 }
 
 void write_window_means(const Database& database, int id, const solver::DepthProfile& profile) {

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+#include <set>
+
 #include "results/database.hpp"
 #include "results/ledger_rows.hpp"
 #include "results/schema.hpp"
@@ -14,8 +17,10 @@ constexpr std::string_view realization_columns =
     "solver_version, started, finished, mass_error, momentum_error, energy_error, kinetic_fraction, "
     "max_empty_cells, min_time_step_s, max_time_step_s";
 
-RealizationRow realization_row(const Statement& row) {
+RealizationRow realization_row(const Database& database, const Statement& row) {
   RealizationRow r;
+  if (row.integer(0) < 1 || row.integer(0) > std::numeric_limits<int>::max())
+    fail_damaged(database.file(), fmt::format("a realization has the number {}", row.integer(0)));
   r.id = static_cast<int>(row.integer(0));
   r.parameter = row.text(1);
   r.side = row.text(2);
@@ -62,7 +67,7 @@ void read_description(const Database& database, Snapshot& s) {
 void read_numbers(const Database& database, Snapshot& s) {
   Statement rows =
       database.prepare(fmt::format("SELECT {} FROM realization ORDER BY id", realization_columns));
-  while (rows.step()) s.realizations.push_back(realization_row(rows));
+  while (rows.step()) s.realizations.push_back(realization_row(database, rows));
   Statement means = database.prepare(
       "SELECT realization, m.window, m.from_m, m.to_m, q_c_mean_kPa, q_c_min_kPa, q_c_max_kPa FROM "
       "window_mean AS m "
@@ -90,11 +95,33 @@ void read_numbers(const Database& database, Snapshot& s) {
   while (si.step())
     s.sensitivity.push_back({si.text(0), si.text(1), si.number(2), si.number(3), si.number(4), si.number(5),
                              si.number(6), si.number(7), flag(8), si.number(10), flag(11), si.text(9)});
-  Statement curves =
-      database.prepare("SELECT realization, depth_m, q_c_Pa, f_s_Pa FROM curve ORDER BY realization");
-  while (curves.step())
-    s.curves.push_back(
-        {static_cast<int>(curves.integer(0)), {curves.doubles(1), curves.doubles(2), curves.doubles(3)}});
+  Statement curves = database.prepare("SELECT realization FROM curve ORDER BY realization");
+  while (curves.step()) {
+    const int id = static_cast<int>(curves.integer(0));
+    s.curves.push_back({id, read_profile(database, id)});
+  }
+}
+
+/// A row that another one refers to is there; who reads a snapshot relies on it.
+void refuse_dangling(const Database& database, const Snapshot& s) {
+  std::set<int> realizations;
+  std::set<std::string> parameters, windows;
+  for (const RealizationRow& row : s.realizations) realizations.insert(row.id);
+  for (const ParameterRow& row : s.parameters) parameters.insert(row.name);
+  for (const WindowRow& row : s.windows) windows.insert(row.name);
+  const auto require = [&](bool there, std::string_view what) {
+    if (!there) fail_damaged(database.file(), what);
+  };
+  for (const RealizationRow& row : s.realizations)
+    if (row.side == "lower" || row.side == "upper")
+      require(parameters.contains(row.parameter), "a realization's parameter is not there");
+  for (const CurveRow& row : s.curves)
+    require(realizations.contains(row.realization), "a curve's realization is not there");
+  for (const WindowMeanRow& row : s.window_means)
+    require(realizations.contains(row.realization), "an average's realization is not there");
+  for (const SensitivityRow& row : s.sensitivity)
+    require(parameters.contains(row.parameter) && windows.contains(row.window),
+            "an index's parameter or window is not there");
 }
 
 Database open_ledger(const std::filesystem::path& file) {
@@ -111,6 +138,7 @@ Snapshot read_snapshot(const std::filesystem::path& file) {
   Snapshot snapshot;
   read_description(database, snapshot);
   read_numbers(database, snapshot);
+  refuse_dangling(database, snapshot);
   return snapshot;
 }
 
@@ -125,7 +153,7 @@ std::optional<StoredRun> read_run(const Database& database, int id) {
       database.prepare(fmt::format("SELECT {} FROM realization WHERE id = ?", realization_columns));
   row.bind(id);
   if (!row.step()) return std::nullopt;
-  StoredRun run{realization_row(row), std::nullopt};
+  StoredRun run{realization_row(database, row), std::nullopt};
   solver::DepthProfile profile = read_profile(database, id);
   if (!profile.depth.empty()) run.profile = std::move(profile);
   return run;

@@ -30,7 +30,7 @@ TEST(Document, KeepsTheOrderAndThePlacesOfTheFile) {
 TEST(Document, SyntaxErrorsHaveAPlace) {
   for (const auto& [text, line] :
        {std::pair("a = \n", 1), std::pair("a = 1\nb = = 2\n", 2), std::pair("a = 1\na = 2\n", 2),
-        std::pair("[s\n", 1), std::pair("a = 1\n\n[t]\n[t]\n", 4)}) {
+        std::pair("[s\n", 1), std::pair("a = 1\n\n[t]\n[t]\n", 4), std::pair("a = 1\n[[=\n", 2)}) {
     const auto parsed = parse_document(text);
     ASSERT_TRUE(std::holds_alternative<SyntaxError>(parsed)) << text;
     const auto& error = std::get<SyntaxError>(parsed);
