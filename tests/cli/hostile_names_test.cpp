@@ -71,7 +71,7 @@ TEST_F(HostileNames, SlurmScriptPassesThemOnAsOneWord) {
     std::filesystem::permissions(folder.file(program), std::filesystem::perms::owner_all);
   const Result result =
       run({"env", "PATH=" + folder.file("") + ":/usr/bin:/bin", "SLURM_JOB_ID=7", "CAMPAIGN=a b", "bash",
-           PROJECT_ROOT "/examples/slurm/campaign.sbatch", hostile + ".toml", "--no-report"});
+           CPT_SOURCE "/examples/slurm/campaign.sbatch", hostile + ".toml", "--no-report"});
   EXPECT_EQ(result.exit_code, 138) << result.err;
   EXPECT_EQ(result.out, "--mpi=pmix\na b\n" + hostile + ".toml\n--no-report\nrequeue\n7\n");
   EXPECT_FALSE(std::filesystem::exists("hacked"));
