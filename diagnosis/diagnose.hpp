@@ -35,8 +35,8 @@ struct Options {
   double alarm = 0.05;             ///< something is missing only if P(nothing) is below this
   double gate = 0.01;              ///< least p of the predictive check
   double indistinguishable = 2.5;  ///< [standard deviations] D_ij below it
-  double credible = 0.9;           ///< probability of the set of answers
-  double high_pass = 0.15;         // [m] wavelength, where the measurement noise is not given
+  double credible = 0.95;        ///< probability of the set of answers; it held 90 % of development's truths
+  double high_pass = 0.15;       // [m] wavelength, where the measurement noise is not given
   double held_out_length = 0.1;  // [m] of a block; a quarter of a shorter sounding, but 3 correlation lengths
   int bootstraps = 1000;
   int pairs_of = 3;         ///< the best few mechanisms whose pairs are tried
@@ -75,8 +75,9 @@ struct Diagnosis {
   std::size_t winner;                   ///< of the hypotheses, before the gate
   std::optional<PredictiveCheck> gate;  ///< of the winner, unless that is "none of these"
   std::size_t answer;                   ///< of the hypotheses, after the gate
-  std::vector<std::size_t> set;         ///< hypotheses that the recording does not tell apart, and 90 %
-  MatrixXd isolability;                 // D_ij; the last column D_i0
+  std::vector<std::size_t>
+      set;               ///< hypotheses that the recording does not tell apart, and `Options::credible`
+  MatrixXd isolability;  // D_ij; the last column D_i0
   std::vector<NextMeasurement> next;    ///< filled in by what rank_next_measurements says
   std::optional<std::size_t> best;      ///< the most probable mechanism, which the rest is about
   Recalibration with_best;              ///< the null recalibrated beside it; curve includes it

@@ -91,17 +91,6 @@ double log_score(const std::vector<ScoredCase>& cases) {
   return sum / static_cast<double>(cases.size());
 }
 
-std::vector<int> credible_set(const VectorXd& probabilities, double wanted) {
-  std::vector<int> set;
-  double sum = 0.0;
-  for (const int label : by_probability(probabilities)) {
-    set.push_back(label);
-    sum += probabilities(label);
-    if (sum >= wanted - 1e-12) break;  // 0.7 + 0.2 is to reach 0.9
-  }
-  return set;
-}
-
 SetScore set_score(const std::vector<ScoredCase>& cases) {
   double size = 0.0;
   for (const ScoredCase& c : cases) size += static_cast<double>(c.set.size());

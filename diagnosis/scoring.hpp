@@ -42,9 +42,6 @@ struct Proportion {
 /// Mean ln p of the truth, p no less than 1e-12.
 [[nodiscard]] double log_score(const std::vector<ScoredCase>& cases);
 
-/// The fewest labels, the most probable first, whose probabilities reach `share`.
-[[nodiscard]] std::vector<int> credible_set(const VectorXd& probabilities, double share = 0.9);
-
 struct SetScore {
   Proportion coverage;
   double size;  ///< mean

@@ -47,8 +47,8 @@ std::string strength_figure(const std::vector<Benchmark>& benchmarks) {
   draw(svg, box, plot);
   draw_heading(svg, "One mechanism is missing: is it named?",
                plain("95 % intervals (Clopper–Pearson); the last group is open upwards"));
-  Legend(svg, 60.0, 284.0, 130.0).line(plain("named"), {palette::vermillion, 1.3, {}});
-  Legend(svg, 200.0, 284.0, 160.0).line(plain("among the first three"), {palette::blue, 1.3, {}});
+  Legend(svg, 60.0, 284.0, 130.0).dot(plain("named"), palette::vermillion);
+  Legend(svg, 200.0, 284.0, 160.0).dot(plain("among the first three"), palette::blue);
   return svg.document("Share of cases named rightly by strength");
 }
 
