@@ -4,11 +4,11 @@
 
 namespace cpt::campaign {
 
-void Executor::start(const Order& order, double now) {
+void ProcessExecutor::start(const Order& order, double now) {
   processes_[order.realization] = std::make_unique<RealizationProcess>(command_, order, now);
 }
 
-std::vector<Message> Executor::service(double now) {
+std::vector<Message> ProcessExecutor::service(double now) {
   std::vector<Message> messages;
   for (auto item = processes_.begin(); item != processes_.end();) {
     const int realization = item->first;
@@ -25,11 +25,11 @@ std::vector<Message> Executor::service(double now) {
   return messages;
 }
 
-void Executor::ask_all_to_end() {
+void ProcessExecutor::ask_all_to_end() {
   for (const auto& [realization, process] : processes_) process->ask_to_end();
 }
 
-void Executor::nap(double seconds) const {
+void ProcessExecutor::nap(double seconds) const {
   std::vector<pollfd> descriptors;
   for (const auto& [realization, process] : processes_)
     if (process->descriptor() >= 0) descriptors.push_back({process->descriptor(), POLLIN, 0});

@@ -1,6 +1,7 @@
-// Runs realizations of one rank, each in a process of its own.
+// Runs the realizations of one rank.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -12,18 +13,30 @@ namespace cpt::campaign {
 
 class Executor {
  public:
-  /// `command` starts one realization process (realization_child.hpp).
-  explicit Executor(std::vector<std::string> command) : command_(std::move(command)) {}
-
-  void start(const Order& order, double now);
+  virtual ~Executor() = default;
+  virtual void start(const Order& order, double now) = 0;
   /// What happened since the last call: progress and outcomes. Does not block.
-  [[nodiscard]] std::vector<Message> service(double now);
+  [[nodiscard]] virtual std::vector<Message> service(double now) = 0;
   /// Sleeps until a realization has news, a signal arrives, or `seconds` have passed.
-  void nap(double seconds) const;
+  virtual void nap(double seconds) const = 0;
   /// Asks all realizations to keep their states and end; their outcomes follow, most as interrupted.
-  void ask_all_to_end();
-  void kill_all() { processes_.clear(); }
-  [[nodiscard]] std::size_t running() const { return processes_.size(); }
+  virtual void ask_all_to_end() = 0;
+  virtual void kill_all() = 0;
+  [[nodiscard]] virtual std::size_t running() const = 0;
+};
+
+/// Each realization in a process of its own.
+class ProcessExecutor final : public Executor {
+ public:
+  /// `command` starts one realization process (realization_child.hpp).
+  explicit ProcessExecutor(std::vector<std::string> command) : command_(std::move(command)) {}
+
+  void start(const Order& order, double now) override;
+  [[nodiscard]] std::vector<Message> service(double now) override;
+  void nap(double seconds) const override;
+  void ask_all_to_end() override;
+  void kill_all() override { processes_.clear(); }
+  [[nodiscard]] std::size_t running() const override { return processes_.size(); }
 
  private:
   std::vector<std::string> command_;
@@ -33,19 +46,18 @@ class Executor {
 /// For so long [s] realizations that were asked to end may take to keep their states; then they are killed.
 inline constexpr double stop_grace = 10.0;
 
-/// Length of the next sleep between polls: short after something happened, doubling to `longest` while
-/// nothing does, so that a waiting rank reacts at once and still leaves its core alone.
+/// Length of the next sleep between polls [s]: none after something happened, then 1 ms and at most half a
+/// percent of the time since, so that waiting adds as little to it and a rank with nothing to do leaves its
+/// core alone.
 class Napping {
  public:
-  explicit Napping(double longest) : longest_(longest) {}
-  [[nodiscard]] double next(bool something_happened) {
-    nap_ = something_happened ? 0.001 : (nap_ * 2.0 < longest_ ? nap_ * 2.0 : longest_);
-    return nap_;
+  [[nodiscard]] double next(bool something_happened, double now, double longest) {
+    if (something_happened) last_ = now;
+    return something_happened ? 0.0 : std::min(std::max(0.005 * (now - last_), 0.001), longest);
   }
 
  private:
-  double longest_;      // [s]
-  double nap_ = 0.001;  // [s]
+  double last_ = 0.0;  // [s] when something happened
 };
 
 }  // namespace cpt::campaign

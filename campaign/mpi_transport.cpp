@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <list>
+#include <set>
 
 namespace cpt::campaign {
 namespace {
@@ -17,6 +18,19 @@ struct Sending {
   Bytes bytes;
   MPI_Request request = MPI_REQUEST_NULL;
 };
+
+// A message that is being received.
+struct Receiving {
+  int from;
+  Bytes bytes;
+  MPI_Request request = MPI_REQUEST_NULL;
+};
+
+bool done(MPI_Request& request) {
+  int flag = 0;
+  MPI_Test(&request, &flag, MPI_STATUS_IGNORE);
+  return flag != 0;
+}
 
 }  // namespace
 
@@ -36,13 +50,35 @@ struct MpiTransport::State {
   int rank = 0, size = 1, node = 0, ranks_on_node = 1, rank_on_node = 0;
   pid_t launcher = ::getppid();
   std::list<Sending> sending;
+  std::list<Receiving> receiving;  // in the order of their arrival
 
-  void drop_sent() {
-    sending.remove_if([](Sending& item) {
-      int done = 0;
-      MPI_Test(&item.request, &done, MPI_STATUS_IGNORE);
-      return done != 0;
-    });
+  // Begins to receive what has been announced. To wait for the rest of a long message would be to wait for
+  // its sender's next poll.
+  void receive_announced() {
+    for (;;) {
+      int announced = 0;
+      MPI_Message message = MPI_MESSAGE_NULL;
+      MPI_Status status;
+      MPI_Improbe(MPI_ANY_SOURCE, message_tag, MPI_COMM_WORLD, &announced, &message, &status);
+      if (announced == 0) return;
+      int length = 0;
+      MPI_Get_count(&status, MPI_BYTE, &length);
+      Receiving& item = receiving.emplace_back();
+      item.from = status.MPI_SOURCE;
+      item.bytes.resize(static_cast<std::size_t>(length));
+      MPI_Imrecv(item.bytes.data(), length, MPI_BYTE, &message, &item.request);
+    }
+  }
+
+  // The first that is whole; none of a rank overtakes an earlier one.
+  std::list<Receiving>::iterator first_whole() {
+    std::set<int> waiting;
+    for (auto item = receiving.begin(); item != receiving.end(); ++item)
+      if (!waiting.contains(item->from)) {
+        if (done(item->request)) return item;
+        waiting.insert(item->from);
+      }
+    return receiving.end();
   }
 };
 
@@ -80,16 +116,20 @@ void MpiTransport::send(int to, const Message& message) {
 }
 
 std::optional<Received> MpiTransport::poll() {
-  state_->drop_sent();
-  int arrived = 0;
-  MPI_Status status;
-  MPI_Iprobe(MPI_ANY_SOURCE, message_tag, MPI_COMM_WORLD, &arrived, &status);
-  if (arrived == 0) return std::nullopt;
-  int size = 0;
-  MPI_Get_count(&status, MPI_BYTE, &size);
-  Bytes bytes(static_cast<std::size_t>(size));
-  MPI_Recv(bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, message_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  return Received{status.MPI_SOURCE, decode(bytes)};
+  auto whole = state_->first_whole();
+  if (whole == state_->receiving.end()) {
+    state_->sending.remove_if([](Sending& item) { return done(item.request); });
+    state_->receive_announced();
+    whole = state_->first_whole();
+  }
+  if (whole == state_->receiving.end()) return std::nullopt;
+  const Receiving message = std::move(*whole);
+  state_->receiving.erase(whole);
+  return Received{message.from, decode(message.bytes)};
+}
+
+double MpiTransport::longest_nap() const {
+  return state_->sending.empty() && state_->receiving.empty() ? 0.02 : 0.001;
 }
 
 void MpiTransport::abandon(int exit_code) {

@@ -28,7 +28,7 @@ class MpiTransport final : public Transport {
   [[nodiscard]] int rank_on_node() const override;
   void send(int to, const Message& message) override;
   [[nodiscard]] std::optional<Received> poll() override;
-  [[nodiscard]] double longest_nap() const override { return 0.02; }
+  [[nodiscard]] double longest_nap() const override;
   [[nodiscard]] bool orphaned() const override;
 
   /// Ends the process at once with this exit code, and with it the whole job: MPI_Finalize would wait for

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "campaign/clock.hpp"
-#include "campaign/executor.hpp"
 #include "campaign/forecast.hpp"
 #include "campaign/stop_signals.hpp"
 #include "campaign/worker.hpp"
@@ -15,14 +15,16 @@
 #include "results/checkpoint.hpp"
 #include "results/curve_store.hpp"
 #include "results/ledger.hpp"
-#include "results/provenance.hpp"
 
 namespace cpt::campaign {
 namespace {
 
 constexpr int master = 0;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_losses = 2;         // of ranks with the same realization, before it is given up
 constexpr int most_interruptions = 3;  // of a realization by signals from outside, before it is given up
+constexpr double longest_group = 0.1;  // [s] from a realization's end to its commit, where others keep ending
+constexpr double mirror_share = 0.005;  // most of the master's time that the curve file may take
 constexpr double muster_limit =
     0.8;  // [s] to wait for the workers' offers before the first realization starts
 
@@ -32,17 +34,36 @@ std::string describe(const parameters::Study& study, const parameters::Realizati
   return fmt::format("{} = {}", parameter_name(study, realization), value_text(study, realization));
 }
 
+// Adds the time until its end to a sum.
+class Timed {
+ public:
+  explicit Timed(Spent& sum) : sum_(sum) {}
+  ~Timed() {
+    sum_.wall += monotonic_seconds() - wall_;
+    sum_.processor += processor_seconds() - processor_;
+  }
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
+
+ private:
+  Spent& sum_;
+  double wall_ = monotonic_seconds(), processor_ = processor_seconds();  // [s]
+};
+
 class Master {
  public:
   Master(const parameters::Study& study, const std::vector<parameters::Realization>& realizations,
-         results::Ledger& ledger, Transport& transport, const RunOptions& options, ProgressDisplay& display)
+         results::Ledger& ledger, Transport& transport, Executor& executor, const RunOptions& options,
+         ProgressDisplay& display)
       : study_(study),
         ledger_(ledger),
         transport_(transport),
         options_(options),
         display_(display),
-        executor_(options.realization_command),
+        executor_(executor),
         scheduler_(ledger.pending(), options.threads),
+        before_(ledger.counts()),
+        group_(ledger),
         started_(monotonic_seconds()) {
     for (const parameters::Realization& realization : realizations)
       realizations_[realization.id] = realization;
@@ -51,13 +72,22 @@ class Master {
   }
 
   Summary run() {
-    Napping napping(transport_.longest_nap());
+    const int signal = work();
+    display_.finish();
+    return {whole_tally(), signal, ranks_lost_, time_};
+  }
+
+ private:
+  // The signal that stopped it; 0 if none did.
+  int work() {
+    const Timed timed(time_.whole);
+    Napping napping;
     int signal = 0;
-    mirror_curves();
+    mirror_curves(results::sync_curves);
     while (!scheduler_.done() && (signal = stop_signal()) == 0) {
       const double now = monotonic_seconds();
       bool busy = receive(now);
-      for (Message& message : executor_.service(now)) {
+      for (Message& message : own_news(now)) {
         handle(master, message, now);
         busy = true;
       }
@@ -66,15 +96,33 @@ class Master {
         hand_out(now);
         display_.update(standing(now), now);
       }
-      if (!scheduler_.done()) executor_.nap(napping.next(busy));
+      // What has ended waits a moment for others, as long as they come, to share one commit with them.
+      if (!busy || now > oldest_ + longest_group) commit();
+      if (mirror_due(now)) mirror_curves(results::write_curves);
+      if (!scheduler_.done()) nap(napping.next(busy, now, transport_.longest_nap()));
     }
     if (signal != 0) wind_up(signal);
-    display_.finish();
-    return {whole_tally(), signal, ranks_lost_};
+    commit();
+    if (mirror_stale_) mirror_curves(results::write_curves);
+    return signal;
   }
 
- private:
   [[nodiscard]] int stop_signal() const { return transport_.orphaned() ? 1 : StopSignals::received(); }
+
+  std::vector<Message> own_news(double now) {
+    const Timed timed(time_.realizations);
+    return executor_.service(now);
+  }
+
+  void nap(double seconds) {
+    const Timed timed(time_.waiting);
+    executor_.nap(seconds);
+  }
+
+  std::optional<Received> poll() {
+    const Timed timed(time_.messages);
+    return transport_.poll();
+  }
 
   // Realizations wait until all ranks have made their offers, for the sake of those that run with several
   // threads.
@@ -84,12 +132,8 @@ class Master {
 
   void keep_checkpoints() {
     std::set<std::string> unfinished;
-    for (const int id : ledger_.pending()) unfinished.insert(settings_hash(id));
+    for (const int id : ledger_.pending()) unfinished.insert(ledger_.settings_hash(id));
     checkpoints_.emplace(study_.database, unfinished);
-  }
-
-  [[nodiscard]] std::string settings_hash(int id) const {
-    return results::settings_hash(parameters::make_setup(study_, realizations_.at(id)));
   }
 
   // Stopped by a signal: lets all that runs keep its state. What still finishes meanwhile counts.
@@ -100,7 +144,7 @@ class Master {
     const bool workers_reachable = !transport_.orphaned();
     if (workers_reachable)
       for (const auto& [rank, heard] : last_heard_) transport_.send(rank, Stop{});
-    Napping napping(0.05);
+    Napping napping;
     const double until = monotonic_seconds() + stop_grace;
     for (double now = monotonic_seconds(); now < until; now = monotonic_seconds()) {
       if (executor_.running() == 0 && (last_heard_.empty() || !workers_reachable)) break;
@@ -109,14 +153,15 @@ class Master {
         handle(master, message, now);
         busy = true;
       }
-      executor_.nap(napping.next(busy));
+      commit();
+      executor_.nap(napping.next(busy, now, transport_.longest_nap()));
     }
     executor_.kill_all();
   }
 
   bool receive(double now) {
     bool any = false;
-    while (std::optional<Received> received = transport_.poll()) {
+    while (std::optional<Received> received = poll()) {
       any = true;
       if (silenced_.contains(received->from)) continue;
       last_heard_[received->from] = now;
@@ -176,11 +221,15 @@ class Master {
       Order order{id, assignment->threads, study_.wall_limit_seconds, options_.hang_limit_seconds,
                   parameters::make_setup(study_, realizations_.at(id))};
       if (checkpoints_) {
-        order.checkpoint = checkpoints_->file(results::settings_hash(order.setup));
+        order.checkpoint = checkpoints_->file(ledger_.settings_hash(id));
         order.checkpoint_seconds = options_.checkpoint_seconds;
       }
-      ledger_.mark_running(id);
+      {
+        const Timed timed(time_.database);
+        ledger_.mark_running(id);
+      }
       forecast_.started(id, assignment->threads, now);
+      const Timed timed(assignment->rank == master ? time_.realizations : time_.messages);
       if (assignment->rank == master)
         executor_.start(order, now);
       else
@@ -188,27 +237,58 @@ class Master {
     }
   }
 
+  // From here on a realization is only in the open group; commit() finishes it.
   void record(int id, const solver::Outcome& outcome) {
-    ledger_.record(id, outcome);
-    if (checkpoints_) checkpoints_->remove(settings_hash(id));
+    {
+      const Timed timed(time_.database);
+      ledger_.record(id, outcome);
+    }
+    if (ended_.empty()) oldest_ = monotonic_seconds();
+    ended_.push_back(id);
     const Tally tally = whole_tally();
     std::string line =
         fmt::format("[{}/{}] realization {} ({}): {}", tally.finished + tally.failed, tally.total(), id,
                     describe(study_, realizations_.at(id)), solver::to_string(outcome.status));
     line += fmt::format(" after {}", format_duration(outcome.wall_seconds));
     if (!outcome.reason.empty()) line += ": " + outcome.reason;
-    display_.note(line);
-    mirror_curves();
+    news_.push_back(std::move(line));
   }
 
-  // The ledger holds the curves; a mirror that cannot be written is worth a warning, not the campaign.
-  void mirror_curves() {
+  // The user is told, and checkpoints go, only once it is on disk.
+  void commit() {
+    {
+      const Timed timed(time_.database);
+      group_.commit();
+    }
+    for (const std::string& line : news_) display_.note(line);
+    if (checkpoints_)
+      for (const int id : ended_) checkpoints_->remove(ledger_.settings_hash(id));
+    mirror_stale_ = mirror_stale_ || !ended_.empty();
+    news_.clear();
+    ended_.clear();
+    oldest_ = infinity;
+  }
+
+  // The ledger holds the curves; a mirror that cannot be written is worth a warning, not the campaign. It is
+  // written whole, so its cost grows with the campaign: it follows at growing distances, and in the end.
+  template <class Write>
+  void mirror_curves(Write write) {
+    commit();
+    const double start = monotonic_seconds();
     try {
-      results::sync_curves(study_.curves, study_.database);
+      const Timed timed(time_.curves);
+      write(study_.curves, study_.database);
     } catch (const results::Error& problem) {
       if (!curves_warned_) display_.note(fmt::format("warning: {}", problem.what()));
       curves_warned_ = true;
     }
+    mirror_stale_ = false;
+    mirrored_ = monotonic_seconds();
+    if (const int count = ended(); count > 0) mirror_cost_ = (mirrored_ - start) / count;
+  }
+
+  [[nodiscard]] bool mirror_due(double now) const {
+    return mirror_stale_ && mirror_share * (now - mirrored_) > mirror_cost_ * ended();
   }
 
   void drop_silent_ranks(double now) {
@@ -240,9 +320,11 @@ class Master {
   }
 
   [[nodiscard]] Tally whole_tally() const {
-    const results::Counts counts = ledger_.counts();
-    return {counts.pending, counts.running, counts.completed, counts.failed};
+    const Tally now = scheduler_.tally();
+    return {now.pending, now.running, before_.completed + now.finished, before_.failed + now.failed};
   }
+
+  [[nodiscard]] int ended() const { return whole_tally().finished + whole_tally().failed; }
 
   [[nodiscard]] Standing standing(double now) const {
     return {whole_tally(), forecast_.remaining_seconds(scheduler_.tally().pending, scheduler_.slots(), now),
@@ -256,8 +338,14 @@ class Master {
   const RunOptions& options_;
   ProgressDisplay& display_;
   std::optional<results::CheckpointFolder> checkpoints_;
-  Executor executor_;
+  Executor& executor_;
+  MasterTime time_;
   Scheduler scheduler_;
+  results::Counts before_;  // of earlier campaigns
+  results::Ledger::Group group_;
+  std::vector<std::string> news_;  // lines about realizations of the open group
+  std::vector<int> ended_;         // realizations of the open group
+  double oldest_ = infinity;       // [s] since when one of them waits
   Forecast forecast_;
   double started_;                    // [s]
   std::map<int, double> last_heard_;  // [s] by worker that is present
@@ -268,17 +356,26 @@ class Master {
   bool stopping_ = false;
   bool ranks_lost_ = false;
   bool curves_warned_ = false;
+  bool mirror_stale_ = false;
+  double mirrored_ = 0.0;       // [s]
+  double mirror_cost_ = 0.001;  // [s] a realization; measured from the first mirror on
 };
 
 }  // namespace
 
 Summary run_campaign(const parameters::Study& study, const std::string& study_text, Transport& transport,
                      const RunOptions& options, ProgressDisplay& display) {
+  ProcessExecutor executor(options.realization_command);
+  return run_campaign(study, study_text, transport, executor, options, display);
+}
+
+Summary run_campaign(const parameters::Study& study, const std::string& study_text, Transport& transport,
+                     Executor& executor, const RunOptions& options, ProgressDisplay& display) {
   const std::vector<parameters::Realization> realizations = parameters::one_at_a_time(study);
   results::Ledger ledger = results::Ledger::open_for_run(
       study, realizations, {study_text, options.retry_failed, options.file_system});
   for (const std::string& message : ledger.opened().messages) display.note(message);
-  return Master(study, realizations, ledger, transport, options, display).run();
+  return Master(study, realizations, ledger, transport, executor, options, display).run();
 }
 
 }  // namespace cpt::campaign

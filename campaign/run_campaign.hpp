@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "campaign/executor.hpp"
 #include "campaign/progress_display.hpp"
 #include "campaign/run_options.hpp"
 #include "campaign/transport.hpp"
@@ -10,11 +11,28 @@
 
 namespace cpt::campaign {
 
+/// Time of a part of the work [s].
+struct Spent {
+  double wall = 0.0;
+  double processor = 0.0;
+};
+
+/// Where the master's time went.
+struct MasterTime {
+  Spent messages;      ///< sending and receiving, packing included
+  Spent database;      ///< transactions of the ledger
+  Spent curves;        ///< the curve file
+  Spent realizations;  ///< starting its own realizations and listening to them
+  Spent waiting;       ///< asleep
+  Spent whole;         ///< all of it, from the open ledger on; the rest is scheduling and display
+};
+
 /// How a campaign ended.
 struct Summary {
   Tally tally;              ///< of the whole study, work of earlier campaigns included
   int signal = 0;           ///< that stopped it; 0 if none did
   bool ranks_lost = false;  ///< MPI cannot be finalized any more
+  MasterTime time;
   bool complete() const { return tally.finished == tally.total(); }
 };
 
@@ -24,6 +42,10 @@ struct Summary {
 /// campaign with the database in order and the states of unfinished pushes beside it
 /// (results/checkpoint.hpp); the same call later goes on. Throws results::Locked if another campaign holds
 /// the database and results::Error if it cannot be used.
+[[nodiscard]] Summary run_campaign(const parameters::Study& study, const std::string& study_text,
+                                   Transport& transport, Executor& executor, const RunOptions& options,
+                                   ProgressDisplay& display);
+/// With a process of its own for each realization.
 [[nodiscard]] Summary run_campaign(const parameters::Study& study, const std::string& study_text,
                                    Transport& transport, const RunOptions& options, ProgressDisplay& display);
 

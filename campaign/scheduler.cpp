@@ -49,7 +49,7 @@ std::optional<Assignment> Scheduler::next() {
   if (threads > free_here) return std::nullopt;  // fixed threads: wait for the node's other slots
 
   const Assignment assignment{pending_.front(), choose_rank(node), threads};
-  pending_.erase(pending_.begin());
+  pending_.pop_front();
   running_[assignment.realization] = {assignment.rank, threads};
   ++ranks_.at(assignment.rank).realizations;
   return assignment;
@@ -69,7 +69,7 @@ bool Scheduler::put_back(int realization, int rank) {
   if (found == running_.end() || found->second.rank != rank) return false;
   --ranks_.at(rank).realizations;
   running_.erase(found);
-  pending_.insert(pending_.begin(), realization);
+  pending_.push_front(realization);
   return true;
 }
 

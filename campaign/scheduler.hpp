@@ -1,6 +1,7 @@
 // Which realization runs where, with how many threads. Pure bookkeeping: no MPI, no processes, no clock.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <span>
@@ -71,7 +72,7 @@ class Scheduler {
   [[nodiscard]] int choose_rank(int node) const;
 
   int fixed_threads_;
-  std::vector<int> pending_;  // in the order of handing out
+  std::deque<int> pending_;  // in the order of handing out
   std::map<int, Running> running_;
   std::map<int, Rank> ranks_;
   int finished_ = 0;

@@ -27,7 +27,7 @@ class Transport {
   virtual void send(int to, const Message& message) = 0;
   /// The next message that has arrived, if any. Throws MalformedMessage.
   [[nodiscard]] virtual std::optional<Received> poll() = 0;
-  /// [s] longest useful sleep between polls.
+  /// [s] longest useful sleep until the next poll; short while a long message is under way.
   [[nodiscard]] virtual double longest_nap() const = 0;
   /// True once the launcher of the ranks (mpirun) is gone and nobody will end this rank.
   [[nodiscard]] virtual bool orphaned() const = 0;

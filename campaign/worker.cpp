@@ -2,7 +2,6 @@
 
 #include "campaign/clock.hpp"
 #include "campaign/cores.hpp"
-#include "campaign/executor.hpp"
 #include "campaign/stop_signals.hpp"
 
 namespace cpt::campaign {
@@ -19,10 +18,10 @@ bool is_interrupted(const Message& message) {
 // Lets realizations keep their states where nobody waits for their outcomes any more.
 void end_all(Executor& executor) {
   executor.ask_all_to_end();
-  Napping napping(0.05);
-  for (const double until = monotonic_seconds() + stop_grace;
-       executor.running() > 0 && monotonic_seconds() < until;)
-    executor.nap(napping.next(!executor.service(monotonic_seconds()).empty()));
+  Napping napping;
+  const double until = monotonic_seconds() + stop_grace;
+  for (double now = monotonic_seconds(); executor.running() > 0 && now < until; now = monotonic_seconds())
+    executor.nap(napping.next(!executor.service(now).empty(), now, 0.05));
 }
 
 }  // namespace
@@ -34,8 +33,12 @@ int own_slots(const Transport& transport, const RunOptions& options) {
 }
 
 void serve_master(Transport& transport, const RunOptions& options) {
-  Executor executor(options.realization_command);
-  Napping napping(transport.longest_nap());
+  ProcessExecutor executor(options.realization_command);
+  serve_master(transport, executor, options);
+}
+
+void serve_master(Transport& transport, Executor& executor, const RunOptions& options) {
+  Napping napping;
   const int slots = own_slots(transport, options);
   transport.send(master, Hello{transport.node(), slots});
   double last_word = monotonic_seconds();
@@ -74,7 +77,7 @@ void serve_master(Transport& transport, const RunOptions& options) {
       transport.send(master, Hello{transport.node(), slots});
       last_word = now;
     }
-    executor.nap(napping.next(busy));
+    executor.nap(napping.next(busy, now, transport.longest_nap()));
   }
   end_all(executor);
 }

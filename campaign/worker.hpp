@@ -1,6 +1,7 @@
 // A rank other than the master: runs what it is told to.
 #pragma once
 
+#include "campaign/executor.hpp"
 #include "campaign/run_options.hpp"
 #include "campaign/transport.hpp"
 
@@ -11,6 +12,8 @@ namespace cpt::campaign {
 [[nodiscard]] int own_slots(const Transport& transport, const RunOptions& options);
 
 /// Offers this rank's slots to the master and serves it until it is dismissed.
+void serve_master(Transport& transport, Executor& executor, const RunOptions& options);
+/// With a process of its own for each realization.
 void serve_master(Transport& transport, const RunOptions& options);
 
 /// The master's duty whatever happens to it: on destruction sends every worker home.

@@ -19,6 +19,8 @@ void add_push(CLI::App& program, Action& action);
 void add_view(CLI::App& program, Action& action);
 void add_query(CLI::App& program, Action& action);
 void add_compare(CLI::App& program, Action& action);
+void add_export(CLI::App& program, Action& action);
+void add_import(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_element(CLI::App& program, Action& action);
 void add_list(CLI::App& program, Action& action);

@@ -26,6 +26,7 @@ constexpr const char* examples = R"(Examples:
   mpirun -np 2 campaign sens.toml            the same with two MPI ranks, also over several machines
   campaign run sens.toml --plan              what would be run
   campaign query sens.toml sensitivity       the sensitivity indices so far
+  campaign export sens.toml                  all of it as CSV tables in sens-export/
   campaign report sens.toml                  figures and tables in sens-report/
   campaign push sens.toml --fields-at 0.5    one push with its stress and density fields for ParaView
   campaign view sens-push                    those fields as pictures and as an animation
@@ -66,10 +67,11 @@ int run_program(int argc, char** argv) {
   program.footer(std::string(examples) + cli::exit_code_help);
   program.require_subcommand(1);
   cli::Action action;
-  for (const auto add : {cli::add_run, cli::add_rerun, cli::add_query, cli::add_compare, cli::add_report,
-                         cli::add_push, cli::add_view, cli::add_paper, cli::add_numerics, cli::add_diagnose,
-                         cli::add_conceal, cli::add_reveal, cli::add_element, cli::add_recording,
-                         cli::add_list, cli::add_reference, cli::add_completion})
+  for (const auto add :
+       {cli::add_run, cli::add_rerun, cli::add_query, cli::add_compare, cli::add_export, cli::add_import,
+        cli::add_report, cli::add_push, cli::add_view, cli::add_paper, cli::add_numerics, cli::add_diagnose,
+        cli::add_conceal, cli::add_reveal, cli::add_element, cli::add_recording, cli::add_list,
+        cli::add_reference, cli::add_completion})
     add(program, action);
 
   std::vector<std::string> words = command_line(argc, argv, program);

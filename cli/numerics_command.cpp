@@ -47,7 +47,7 @@ speed of the push; points that change numerics.point_shift are its repeats. Othe
 Works at any time, also while campaigns run.
 
 Example:
-  campaign numerics examples/numerics/*.toml --out /tmp/numerics.md)");
+  campaign numerics examples/numerics/*.toml --out numerics.md)");
   command->callback([arguments, &action] { action = [arguments] { return numerics(*arguments); }; });
 }
 

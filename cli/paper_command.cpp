@@ -57,8 +57,8 @@ void add_paper(CLI::App& program, Action& action) {
   command->footer(R"(Works at any time: what has not been run is told as such.
 
 Examples:
-  scripts/reproduce-paper                           runs all studies and writes docs/paper.md
-  campaign paper examples/paper --out /tmp/now.md   how far they are)");
+  scripts/reproduce-paper                      runs all studies and writes docs/paper.md
+  campaign paper examples/paper --out now.md   how far they are)");
   command->callback([arguments, &action] { action = [arguments] { return paper(*arguments); }; });
 }
 

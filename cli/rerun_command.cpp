@@ -41,7 +41,7 @@ results::StoredRun find_stored(const parameters::Study& study, const solver::Set
 
 // The outcome, or nullopt if a signal stopped the run.
 std::optional<solver::Outcome> run_alone(const campaign::Order& order, const std::string& executor_program) {
-  campaign::Executor executor(realization_command(executor_program));
+  campaign::ProcessExecutor executor(realization_command(executor_program));
   executor.start(order, campaign::monotonic_seconds());
   while (campaign::StopSignals::received() == 0) {
     executor.nap(0.2);

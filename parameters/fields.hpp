@@ -18,6 +18,7 @@ class ErrorList {
   explicit ErrorList(std::string file) : file_(std::move(file)) {}
   void add(Place place, std::string key, std::string message, std::string hint = "");
   [[nodiscard]] bool empty() const { return errors_.empty(); }
+  [[nodiscard]] std::size_t size() const { return errors_.size(); }
   /// The errors in the order of the file.
   [[nodiscard]] std::vector<StudyError> sorted() const;
 

@@ -164,7 +164,7 @@ class PushReader {
   }
 
   double cell(const AgsRow& row, const char* heading) {
-    const AgsCell& cell = row.cells[*readings_->place_of(heading)];
+    const PlacedText& cell = row.cells[*readings_->place_of(heading)];
     if (trimmed(cell.text).empty()) return not_given;
     const auto found = number(trimmed(cell.text));
     if (!found)

@@ -7,48 +7,7 @@
 namespace cpt::recordings {
 namespace {
 
-// Quoted fields between commas; a quote inside is doubled. Fields without quotes are taken as they stand.
-std::vector<AgsCell> cells_of(const Line& line, Problems& problems) {
-  std::vector<AgsCell> cells;
-  const std::string_view text = line.text;
-  for (std::size_t at = 0;;) {
-    at = std::min(text.find_first_not_of(" \t", at), text.size());
-    AgsCell cell{{}, column_of(text, text.substr(at))};
-    if (at < text.size() && text[at] == '"') {
-      const std::size_t opened = at++;
-      ++cell.column;
-      while (true) {
-        const std::size_t quote = text.find('"', at);
-        if (quote == text.npos) {
-          problems.add(line.number, column_of(text, text.substr(opened)), in_quotes(text.substr(opened)),
-                       "a closing quote", "AGS4 puts each value in one line between quotes");
-          return cells;
-        }
-        cell.text += text.substr(at, quote - at);
-        at = quote + 1;
-        if (at >= text.size() || text[at] != '"') break;
-        cell.text += '"';
-        ++at;
-      }
-      const std::size_t behind = std::min(text.find_first_not_of(" \t", at), text.size());
-      if (behind < text.size() && text[behind] != ',') {
-        problems.add(line.number, column_of(text, text.substr(behind)), in_quotes(text.substr(behind)),
-                     "a comma behind the closing quote");
-        return cells;
-      }
-      at = behind;
-    } else {
-      const std::size_t comma = std::min(text.find(',', at), text.size());
-      cell.text = std::string(trimmed(text.substr(at, comma - at)));
-      at = comma;
-    }
-    cells.push_back(std::move(cell));
-    if (at >= text.size()) return cells;
-    ++at;
-  }
-}
-
-void read_row(const Line& line, std::vector<AgsCell> cells, std::vector<AgsGroup>& groups,
+void read_row(const Line& line, std::vector<PlacedText> cells, std::vector<AgsGroup>& groups,
               Problems& problems) {
   const std::string kind = cells.front().text;
   const int column = cells.front().column;
@@ -62,7 +21,7 @@ void read_row(const Line& line, std::vector<AgsCell> cells, std::vector<AgsGroup
     return problems.add(line.number, column, in_quotes(kind), "\"GROUP\" first", "is this an AGS4 file?");
   AgsGroup& group = groups.back();
   if (kind == "HEADING") {
-    for (const AgsCell& cell : cells) group.headings.push_back(cell.text);
+    for (const PlacedText& cell : cells) group.headings.push_back(cell.text);
     return;
   }
   if (kind != "UNIT" && kind != "TYPE" && kind != "DATA")
@@ -73,7 +32,7 @@ void read_row(const Line& line, std::vector<AgsCell> cells, std::vector<AgsGroup
                         "is the line cut off?");
   if (kind == "UNIT") {
     group.units.clear();
-    for (const AgsCell& cell : cells) group.units.push_back(cell.text);
+    for (const PlacedText& cell : cells) group.units.push_back(cell.text);
   }
   if (kind == "DATA") group.rows.push_back({line.number, std::move(cells)});
 }
@@ -101,7 +60,7 @@ std::vector<AgsGroup> read_ags_groups(const std::vector<Line>& lines, Problems& 
   for (const Line& line : lines) {
     if (problems.full()) break;
     if (trimmed(line.text).empty()) continue;
-    std::vector<AgsCell> cells = cells_of(line, problems);
+    std::vector<PlacedText> cells = fields_of(line, ',', problems);
     if (problems.any() && (cells.empty() || problems.errors().back().line == line.number)) continue;
     read_row(line, std::move(cells), groups, problems);
   }

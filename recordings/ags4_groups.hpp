@@ -6,18 +6,15 @@
 #include <string_view>
 #include <vector>
 
+#include "recordings/delimited.hpp"
 #include "recordings/recording_error.hpp"
 #include "recordings/text.hpp"
 
 namespace cpt::recordings {
 
-struct AgsCell {
-  std::string text;
-  int column = 1;  ///< in the line, of the text
-};
 struct AgsRow {
   int line = 0;
-  std::vector<AgsCell> cells;  ///< without the leading "DATA"; as many as headings
+  std::vector<PlacedText> cells;  ///< without the leading "DATA"; as many as headings
 };
 struct AgsGroup {
   std::string name;

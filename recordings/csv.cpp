@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "recordings/delimited.hpp"
 #include "recordings/units.hpp"
 
 namespace cpt::recordings {
@@ -58,12 +59,6 @@ constexpr std::array places = {
     Place{"cone_area_cm2", &Recording::cone_area, 1e-4},
     Place{"area_quotient", &Recording::area_quotient, 1.0},
 };
-
-std::string_view unquoted(std::string_view text) {
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
-    return trimmed(text.substr(1, text.size() - 2));
-  return text;
-}
 
 struct Taken {
   std::size_t column;  // from 0
@@ -118,11 +113,11 @@ class CsvReader {
         separator_ = candidate;
         break;
       }
-    const std::vector<Field> names = split(line.text, separator_);
+    const std::vector<PlacedText> names = fields_of(line, separator_, problems_);
     columns_ = names.size();
     for (const ColumnName& wanted : options_.columns) take(line, names, wanted.quantity, wanted.column, true);
-    for (const Field& name : names)
-      if (const std::string own(unquoted(name.text)); meaning_of(own)) take(line, names, own, own, false);
+    for (const PlacedText& name : names)
+      if (meaning_of(name.text)) take(line, names, name.text, name.text, false);
     list_left(names);
     const auto has = [&](double Reading::*place) {
       return std::any_of(taken_.begin(), taken_.end(),
@@ -135,7 +130,7 @@ class CsvReader {
       problems_.add(line.number, 1, "no column for the depth", "a map entry such as depth_m=NAME", hint);
   }
 
-  void take(const Line& line, const std::vector<Field>& names, const std::string& quantity,
+  void take(const Line& line, const std::vector<PlacedText>& names, const std::string& quantity,
             const std::string& column, bool asked) {
     const auto meaning = meaning_of(quantity);
     if (!meaning) return problems_.add(0, 0, "quantity " + in_quotes(quantity), known_quantities);
@@ -148,7 +143,7 @@ class CsvReader {
                            "each quantity once");
     std::vector<std::size_t> at;
     for (std::size_t i = 0; i < names.size(); ++i)
-      if (unquoted(names[i].text) == column) at.push_back(i);
+      if (names[i].text == column) at.push_back(i);
     if (at.size() != 1)
       return problems_.add(line.number, at.empty() ? 1 : names[at[1]].column,
                            fmt::format("{} columns named {}", at.size(), in_quotes(column)), "one",
@@ -156,18 +151,20 @@ class CsvReader {
     taken_.push_back({at.front(), *meaning, quantity});
   }
 
-  void list_left(const std::vector<Field>& names) {
+  void list_left(const std::vector<PlacedText>& names) {
     std::string left;
     for (std::size_t i = 0; i < names.size(); ++i)
       if (std::none_of(taken_.begin(), taken_.end(), [&](const Taken& taken) { return taken.column == i; }))
-        left += (left.empty() ? "" : ", ") + std::string(unquoted(names[i].text));
+        left += (left.empty() ? "" : ", ") + names[i].text;
     if (!left.empty())
       recording_.remarks.push_back({{}, "columns: " + left, "not read", "the column map does not name them"});
   }
 
   void read_row(const Line& line) {
     ++recording_.rows_read;
-    const std::vector<Field> fields = split(line.text, separator_);
+    const std::size_t before = problems_.errors().size();
+    const std::vector<PlacedText> fields = fields_of(line, separator_, problems_);
+    if (problems_.errors().size() > before) return;
     if (fields.size() != columns_)
       return problems_.add(line.number, 1, fmt::format("{} fields", fields.size()),
                            fmt::format("{}, as in the line of names", columns_),
@@ -175,7 +172,7 @@ class CsvReader {
     Reading reading;
     reading.line = line.number;
     for (const Taken& taken : taken_) {
-      const std::string_view text = unquoted(fields[taken.column].text);
+      const std::string_view text = fields[taken.column].text;
       const std::string lower = lower_case(text);
       if (text.empty() || lower == "nan" || lower == "na") continue;
       const auto value = number(text);

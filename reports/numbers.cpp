@@ -41,6 +41,12 @@ Table parameter_table(const Snapshot& s) {
   return table;
 }
 
+Table import_table(const Snapshot& s) {
+  Table table{{"file", "sha256", "imported"}, {}};
+  for (const auto& i : s.imports) add_row(table, i.file, i.sha256, i.imported);
+  return table;
+}
+
 Table window_table(const Snapshot& s) {
   Table table{{"window", "kind", "from_m", "to_m", "problem"}, {}};
   for (const auto& w : s.windows)
@@ -86,8 +92,8 @@ Table realization_table(const Snapshot& s) {
 Table window_mean_table(const Snapshot& s) {
   Table table{{"realization", "window", "from_m", "to_m", "q_c_mean_kPa", "q_c_min_kPa", "q_c_max_kPa"}, {}};
   for (const auto& m : s.window_means)
-    table.rows.push_back(
-        {whole(m.realization), m.window, m.from_m, m.to_m, m.q_c_mean_kPa, m.q_c_min_kPa, m.q_c_max_kPa});
+    add_row(table, whole(m.realization), m.window, m.from_m, m.to_m, m.q_c_mean_kPa,
+            number_or_empty(m.q_c_min_kPa), number_or_empty(m.q_c_max_kPa));
   return table;
 }
 
@@ -106,6 +112,7 @@ std::string report_json(const Snapshot& s, const results::Effects& effects) {
   };
   nlohmann::ordered_json all;
   all["campaign"] = rows(campaign_table(s)).at(0);
+  all["imports"] = rows(import_table(s));
   all["parameters"] = rows(parameter_table(s));
   all["windows"] = rows(window_table(s));
   all["realizations"] = rows(realization_table(s));

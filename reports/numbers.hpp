@@ -15,8 +15,8 @@ namespace cpt::reports {
 /// One line a depth bin: realization, depth_m, q_c_kPa, f_s_kPa.
 [[nodiscard]] results::Table curve_table(const results::Snapshot& campaign);
 
-/// campaign, parameters, windows, realizations, window_means, repeat_noise, sensitivity and effects with the
-/// name of the design; curves are in curves.csv.
+/// campaign, imports, parameters, windows, realizations, window_means, repeat_noise, sensitivity and effects
+/// with the name of the design; curves are in curves.csv.
 [[nodiscard]] std::string report_json(const results::Snapshot& campaign,
                                       const results::Effects& effects = {});
 

@@ -189,6 +189,14 @@ void write_effects(Writer& out, const Snapshot& s, const results::Effects& effec
   }
 }
 
+void write_imports(Writer& out, const Snapshot& s) {
+  if (s.imports.empty()) return;
+  std::string files;
+  for (const auto& source : s.imports) files += (files.empty() ? "" : ", ") + source.file;
+  out.paragraph(fmt::format("Results imported from {} at {}; report.json has the SHA-256 of what was read.",
+                            files, s.imports.back().imported));
+}
+
 }  // namespace
 
 std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure>& figures,
@@ -196,9 +204,13 @@ std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure
   Writer out;
   out.heading(s.campaign.title, 16.0);
   out.paragraph(state_of(s) + ".");
-  out.paragraph(fmt::format("Study {}, profile {}, preset {}; program {}, solver {}; campaign begun {}.",
-                            s.campaign.name, s.campaign.profile, s.campaign.preset,
-                            s.campaign.program_version, s.campaign.solver_version, s.campaign.created));
+  const results::CampaignRow& c = s.campaign;
+  out.paragraph(fmt::format(
+      "Study {}, profile {}, preset {}; {}campaign begun {}.", c.name, c.profile, c.preset,
+      c.solver_version.empty() ? ""
+                               : fmt::format("program {}, solver {}; ", c.program_version, c.solver_version),
+      c.created));
+  write_imports(out, s);
   for (const auto& window : s.windows) write_indices(out, s, window);
   if (!effects.rows.empty())
     for (const auto& window : s.windows) write_effects(out, s, effects, window);

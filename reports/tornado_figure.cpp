@@ -119,7 +119,7 @@ void draw_bar(Svg& svg, const Axis& axis, const Bar& bar, double y, double q_bas
             .halo = true});
 }
 
-FlowLegend make_legend() {
+FlowLegend make_legend(bool noise) {
   FlowLegend legend;
   const auto patch = [](std::string_view fill) {
     return [fill](Svg& svg, Point at) { svg.rectangle({at.x, at.y - 3.5, 9.0, 7.0}, fill); };
@@ -129,7 +129,7 @@ FlowLegend make_legend() {
   legend.add(6.0, plain("baseline"), [](Svg& svg, Point at) {
     svg.line({at.x + 3.0, at.y - 4.5}, {at.x + 3.0, at.y + 4.5}, {palette::ink, 1.0, {}});
   });
-  legend.add(9.0, plain("noise of the baseline"), patch(palette::band));
+  if (noise) legend.add(9.0, plain("noise of the baseline"), patch(palette::band));
   return legend;
 }
 
@@ -146,7 +146,8 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
       });
   if (bars.empty() || base == campaign.window_means.end()) return std::nullopt;
 
-  const FlowLegend legend = make_legend();
+  const bool noise = std::isfinite(base->q_c_max_kPa - base->q_c_min_kPa);  // not known of imported averages
+  const FlowLegend legend = make_legend(noise);
   double label_width = 0.0;
   for (const Bar& bar : bars) label_width = std::max(label_width, width(bar.label, label_size));
   const double lines = all_completed(campaign) ? 1.0 : 2.0;
@@ -166,9 +167,10 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
 
   draw_horizontal(svg, area, axis, Edge::bottom, symbolic("average q_c (kPa)"),
                   column == Column::single ? 4 : 6);
-  svg.rectangle(
-      {axis(base->q_c_min_kPa), area.y, axis(base->q_c_max_kPa) - axis(base->q_c_min_kPa), area.height},
-      palette::band, 0.8);
+  if (noise)
+    svg.rectangle(
+        {axis(base->q_c_min_kPa), area.y, axis(base->q_c_max_kPa) - axis(base->q_c_min_kPa), area.height},
+        palette::band, 0.8);
   const double x0 = axis(base->q_c_mean_kPa);
   svg.line({x0, area.y}, {x0, area.bottom()}, {palette::ink, 1.0, {}});
   double y = area.y + 2.0 + 0.5 * row_pitch;

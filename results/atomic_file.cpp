@@ -42,6 +42,12 @@ void sync_folder(const std::filesystem::path& folder) {
   if (opened.number() >= 0) (void)::fsync(opened.number());
 }
 
+[[noreturn]] void give_up(const std::string& temporary, const std::filesystem::path& file) {
+  const int why = errno;
+  ::unlink(temporary.c_str());
+  throw Error(fmt::format("{}: cannot be written ({})", file.string(), std::strerror(why)));
+}
+
 }  // namespace
 
 void write_atomically(const std::filesystem::path& file, std::string_view start, std::string_view rest) {
@@ -52,11 +58,12 @@ void write_atomically(const std::filesystem::path& file, std::string_view start,
     written = opened.number() >= 0 && write_all(opened.number(), start) && write_all(opened.number(), rest) &&
               ::fsync(opened.number()) == 0;
   }
-  if (!written || std::rename(temporary.c_str(), file.c_str()) != 0) {
-    const int why = errno;
-    ::unlink(temporary.c_str());
-    throw Error(fmt::format("{}: cannot be written ({})", file.string(), std::strerror(why)));
-  }
+  if (!written) give_up(temporary, file);
+  move_into_place(temporary, file);
+}
+
+void move_into_place(const std::filesystem::path& temporary, const std::filesystem::path& file) {
+  if (std::rename(temporary.c_str(), file.c_str()) != 0) give_up(temporary, file);
   sync_folder(file.has_parent_path() ? file.parent_path() : ".");
 }
 

@@ -73,7 +73,7 @@ std::vector<double> in_kPa(std::vector<double> values) {
   return values;
 }
 
-CurveFile content_of(const Snapshot& snapshot) {
+CurveFile content_of(Snapshot snapshot) {
   const CampaignRow& c = snapshot.campaign;
   CurveFile content;
   content.provenance = {{"study", c.name},
@@ -84,16 +84,19 @@ CurveFile content_of(const Snapshot& snapshot) {
                         {"baseline_setup", c.baseline_setup},
                         {"program_version", c.program_version},
                         {"solver_version", c.solver_version}};
-  for (const CurveRow& curve : snapshot.curves) {
-    const auto row = std::find_if(snapshot.realizations.begin(), snapshot.realizations.end(),
-                                  [&](const RealizationRow& r) { return r.id == curve.realization; });
+  auto row = snapshot.realizations.begin();
+  for (CurveRow& curve : snapshot.curves) {
+    // Both are in the order of their ids.
+    row = std::find_if(row, snapshot.realizations.end(),
+                       [&](const RealizationRow& r) { return r.id == curve.realization; });
+    if (row == snapshot.realizations.end()) throw Error("a curve has no realization");
     const auto parameter = std::find_if(snapshot.parameters.begin(), snapshot.parameters.end(),
                                         [&](const ParameterRow& p) { return p.name == row->parameter; });
-    content.curves.push_back({row->id, row->parameter, row->side, row->value_text,
-                              parameter == snapshot.parameters.end() ? "" : parameter->unit, row->status,
-                              row->settings_hash,
-                              std::isnan(row->value) ? std::nullopt : std::optional(row->value),
-                              curve.profile.depth, in_kPa(curve.profile.q_c), in_kPa(curve.profile.f_s)});
+    content.curves.push_back(
+        {row->id, row->parameter, row->side, row->value_text,
+         parameter == snapshot.parameters.end() ? "" : parameter->unit, row->status, row->settings_hash,
+         std::isnan(row->value) ? std::nullopt : std::optional(row->value), std::move(curve.profile.depth),
+         in_kPa(std::move(curve.profile.q_c)), in_kPa(std::move(curve.profile.f_s))});
   }
   return content;
 }
@@ -107,16 +110,25 @@ bool is_current(const std::filesystem::path& file, const CurveFile& wanted) {
   }
 }
 
+void write(const std::filesystem::path& file, const CurveFile& content,
+           const std::filesystem::path& database) {
+  try {
+    write_hdf5(file, [&](const Hdf5Group& root) { fill(root, content); });
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}; the curves are safe in {}", error.what(), database.string()));
+  }
+}
+
 }  // namespace
+
+void write_curves(const std::filesystem::path& file, const std::filesystem::path& database) {
+  write(file, content_of(read_snapshot(database)), database);
+}
 
 bool sync_curves(const std::filesystem::path& file, const std::filesystem::path& database) {
   const CurveFile wanted = content_of(read_snapshot(database));
   if (is_current(file, wanted)) return false;
-  try {
-    write_hdf5(file, [&](const Hdf5Group& root) { fill(root, wanted); });
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}; the curves are safe in {}", error.what(), database.string()));
-  }
+  write(file, wanted, database);
   return true;
 }
 

@@ -33,6 +33,8 @@ constexpr int busy_timeout_ms = 10'000;
     case SQLITE_IOERR:
       throw Error(
           fmt::format("{}: reading or writing failed ({}; is the disk full or failing?)", file, detail));
+    case SQLITE_CONSTRAINT:
+      throw ConstraintViolation(detail);
     case SQLITE_BUSY:
       throw Error(fmt::format("{}: another program keeps the database busy ({})", file, detail));
     default:
@@ -64,10 +66,23 @@ void fail_damaged(const std::filesystem::path& file, std::string_view detail) {
                   file.string(), detail));
 }
 
-Statement::Statement(sqlite3* connection, std::string_view sql, const std::string& file)
+Statement::Statement(sqlite3* connection, IdleStatements& idle, std::string_view sql, const std::string& file)
     : connection_(connection), file_(file) {
+  auto same = idle.find(sql);
+  if (same == idle.end()) same = idle.try_emplace(std::string(sql)).first;
+  idle_ = &same->second;
+  if (idle_->empty()) {
+    compile(sql);
+    return;
+  }
+  statement_ = idle_->back();
+  idle_->pop_back();
+}
+
+void Statement::compile(std::string_view sql) {
   const char* tail = nullptr;
-  check(sqlite3_prepare_v2(connection_, sql.data(), static_cast<int>(sql.size()), &statement_, &tail));
+  check(sqlite3_prepare_v3(connection_, sql.data(), static_cast<int>(sql.size()), SQLITE_PREPARE_PERSISTENT,
+                           &statement_, &tail));
   if (statement_ == nullptr) throw Error(file_ + ": empty SQL statement");
   const std::string_view rest = sql.substr(static_cast<std::size_t>(tail - sql.data()));
   if (rest.find_first_not_of(" \t\r\n;") != std::string_view::npos) {
@@ -76,10 +91,16 @@ Statement::Statement(sqlite3* connection, std::string_view sql, const std::strin
   }
 }
 
-Statement::~Statement() { sqlite3_finalize(statement_); }
+Statement::~Statement() {
+  if (statement_ == nullptr) return;  // moved from
+  sqlite3_reset(statement_);
+  sqlite3_clear_bindings(statement_);
+  idle_->push_back(statement_);
+}
 
 Statement::Statement(Statement&& other) noexcept
     : connection_(other.connection_),
+      idle_(other.idle_),
       statement_(std::exchange(other.statement_, nullptr)),
       file_(std::move(other.file_)),
       next_parameter_(other.next_parameter_) {}
@@ -196,24 +217,34 @@ Database::Database(const std::filesystem::path& file, Mode mode) : file_(file) {
     execute("PRAGMA foreign_keys = ON; PRAGMA trusted_schema = OFF");
     (void)integer(any_read);  // says now if this is no database
   } catch (...) {
-    sqlite3_close_v2(connection_);
+    close();
     throw;
   }
 }
 
 Database::Database(Database&& other) noexcept
-    : file_(std::move(other.file_)), connection_(std::exchange(other.connection_, nullptr)) {}
+    : file_(std::move(other.file_)),
+      connection_(std::exchange(other.connection_, nullptr)),
+      idle_(std::move(other.idle_)) {}
 
 Database& Database::operator=(Database&& other) noexcept {
   std::swap(file_, other.file_);
   std::swap(connection_, other.connection_);
+  std::swap(idle_, other.idle_);
   return *this;
 }
 
-Database::~Database() { sqlite3_close_v2(connection_); }
+Database::~Database() { close(); }
+
+void Database::close() {
+  if (idle_ != nullptr)
+    for (const auto& [sql, statements] : *idle_)
+      for (sqlite3_stmt* statement : statements) sqlite3_finalize(statement);
+  sqlite3_close_v2(connection_);
+}
 
 Statement Database::prepare(std::string_view sql) const {
-  return Statement(connection_, sql, file_.string());
+  return Statement(connection_, *idle_, sql, file_.string());
 }
 
 void Database::execute(std::string_view sql) const {

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,14 +19,23 @@ struct sqlite3_stmt;
 
 namespace cpt::results {
 
+/// A row that the schema refuses; `what()` is SQLite's message alone.
+struct ConstraintViolation : Error {
+  using Error::Error;
+};
+
 /// Throws Damaged, with what to do about it.
 [[noreturn]] void fail_damaged(const std::filesystem::path& file, std::string_view detail);
+
+/// Compiled statements that nobody uses just now, by their text: to compile one costs more than to run it.
+using IdleStatements = std::map<std::string, std::vector<sqlite3_stmt*>, std::less<>>;
 
 /// A statement with its parameters bound in order; steps through its rows. Numbers that are not finite are
 /// stored as NULL, and NULL reads back as NaN, 0 or "".
 class Statement {
  public:
-  Statement(sqlite3* connection, std::string_view sql, const std::string& file);
+  /// Takes the compiled statement from `idle` if it is there, and leaves it there in the end.
+  Statement(sqlite3* connection, IdleStatements& idle, std::string_view sql, const std::string& file);
   ~Statement();
   Statement(Statement&&) noexcept;
   Statement(const Statement&) = delete;
@@ -60,7 +71,9 @@ class Statement {
 
  private:
   void check(int code) const;
+  void compile(std::string_view sql);
   sqlite3* connection_;
+  std::vector<sqlite3_stmt*>* idle_;  // of the same text
   sqlite3_stmt* statement_ = nullptr;
   std::string file_;
   int next_parameter_ = 1;
@@ -85,8 +98,10 @@ class Database {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
  private:
+  void close();
   std::filesystem::path file_;
   sqlite3* connection_ = nullptr;
+  std::unique_ptr<IdleStatements> idle_ = std::make_unique<IdleStatements>();  // stays where it is in a move
 };
 
 /// Begins on construction; rolled back unless committed.

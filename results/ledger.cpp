@@ -54,32 +54,32 @@ Opened match_realizations(const Database& database, const parameters::Study& stu
                           std::span<const parameters::Realization> realizations, bool retry_failed) {
   struct Old {
     int id;
-    std::string hash, status, solver_version;
+    std::string status;
     bool damaged;
   };
-  std::vector<Old> old;
+  std::multimap<std::string, Old> old;  // by settings hash
+  std::string old_solver_version;
   Statement all =
       database.prepare("SELECT id, settings_hash, status, solver_version FROM realization ORDER BY id");
   while (all.step()) {
     const int id = static_cast<int>(all.integer(0));
-    old.push_back(
-        {id, all.text(1), all.text(2), all.text(3), matches_checksum(database, id) == std::optional(false)});
+    if (old.empty()) old_solver_version = all.text(3);
+    old.insert({all.text(1), {id, all.text(2), matches_checksum(database, id) == std::optional(false)}});
   }
-  const std::string old_solver_version = old.empty() ? "" : old.front().solver_version;
 
   // Negative ids keep old and new apart while rows are renumbered; curves follow by ON UPDATE CASCADE.
   database.execute("UPDATE realization SET id = -id");
   Opened opened;
   for (const parameters::Realization& realization : realizations) {
     const RealizationInput input = describe_input(study, realization);
-    const auto match =
-        std::find_if(old.begin(), old.end(), [&](const Old& row) { return row.hash == input.settings_hash; });
-    if (match == old.end()) {
+    const auto match = old.lower_bound(input.settings_hash);
+    if (match == old.end() || match->first != input.settings_hash) {
       insert_pending(database, realization.id, input);
       continue;
     }
-    rename_realization(database, -match->id, realization.id, input);
-    const Fate fate = match->damaged ? Fate::damaged : fate_of(match->status, retry_failed);
+    const Old& row = match->second;
+    rename_realization(database, -row.id, realization.id, input);
+    const Fate fate = row.damaged ? Fate::damaged : fate_of(row.status, retry_failed);
     if (fate == Fate::interrupted || fate == Fate::retry || fate == Fate::damaged)
       clear_outcome(database, realization.id);
     opened.kept += fate == Fate::keep_completed;
@@ -89,11 +89,11 @@ Opened match_realizations(const Database& database, const parameters::Study& stu
     opened.damaged += fate == Fate::damaged;
     old.erase(match);
   }
-  opened.discarded = static_cast<int>(std::count_if(old.begin(), old.end(), [](const Old& row) {
-    return !row.damaged && row.status != "pending" && row.status != "running" && row.status != "rank_lost";
-  }));
-  opened.damaged +=
-      static_cast<int>(std::count_if(old.begin(), old.end(), [](const Old& row) { return row.damaged; }));
+  for (const auto& [hash, row] : old) {
+    const bool unfinished = row.status == "pending" || row.status == "running" || row.status == "rank_lost";
+    opened.discarded += !row.damaged && !unfinished;
+    opened.damaged += row.damaged;
+  }
   database.execute("DELETE FROM realization WHERE id < 0");
   describe(old_solver_version, opened);
   return opened;
@@ -105,6 +105,18 @@ void refuse_damaged(const Database& database) {
   if (!check.step() || check.text(0) != "ok") fail_damaged(database.file(), check.text(0));
   if (database.prepare("PRAGMA foreign_key_check").step())
     fail_damaged(database.file(), "a row refers to one that is not there");
+}
+
+/// Imported results are not this program's runs, whatever settings they name: a campaign neither goes on
+/// with them nor takes them over.
+void refuse_imported(const Database& database) {
+  if (database.integer("PRAGMA user_version") < 4) return;  // earlier ledgers were never imported
+  Statement row = database.prepare("SELECT file, imported FROM import ORDER BY position");
+  if (!row.step()) return;
+  throw Error(fmt::format(
+      "{}: holds results imported from {} ({}), which are not runs of this program; give the study "
+      "another database ([output] database = ...), or move this one away",
+      database.file().string(), row.text(0), row.text(1)));
 }
 
 void tell_changes(const std::vector<std::string>& changes, Opened& opened) {
@@ -132,7 +144,37 @@ struct Ledger::State {
   Database database;
   parameters::Study study;
   Opened opened;
+  bool grouped = false;
+  std::optional<Transaction> group = {};  // once something is written in it
 };
+
+/// One write, or a part of the group that is open.
+class Ledger::Write {
+ public:
+  explicit Write(State& state) {
+    std::optional<Transaction>& transaction = state.grouped ? state.group : own_;
+    if (!transaction) transaction.emplace(state.database, Transaction::Kind::write);
+  }
+  void commit() {
+    if (own_) own_->commit();
+  }
+
+ private:
+  std::optional<Transaction> own_;
+};
+
+Ledger::Group::Group(Ledger& ledger) : ledger_(ledger) { ledger_.state_->grouped = true; }
+
+Ledger::Group::~Group() {
+  ledger_.state_->group.reset();
+  ledger_.state_->grouped = false;
+}
+
+void Ledger::Group::commit() {
+  std::optional<Transaction>& group = ledger_.state_->group;
+  if (group) group->commit();
+  group.reset();
+}
 
 Ledger::Ledger(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Ledger::Ledger(Ledger&&) noexcept = default;
@@ -177,6 +219,7 @@ Ledger Ledger::open(const parameters::Study& study, std::span<const parameters::
   Database database(file, Database::Mode::read_write);
   const bool created = is_empty(database);
   if (!created) check_schema(database);
+  if (!created) refuse_imported(database);
   if (!created) refuse_damaged(database);
   const FileSystem system = options.file_system.value_or(file_system_of(file));
   database.execute(fmt::format("PRAGMA journal_mode = {}; PRAGMA synchronous = FULL", journal_mode(system)));
@@ -199,7 +242,7 @@ Ledger Ledger::open(const parameters::Study& study, std::span<const parameters::
       static_cast<int>(database.integer("SELECT count(*) FROM realization WHERE status = 'pending'"));
   transaction.commit();
   return Ledger(
-      std::make_unique<State>(State{std::move(lock), std::move(database), study, std::move(opened)}));
+      std::unique_ptr<State>(new State{std::move(lock), std::move(database), study, std::move(opened)}));
 }
 
 const Opened& Ledger::opened() const { return state_->opened; }
@@ -228,14 +271,25 @@ std::vector<int> Ledger::pending() const {
   return ids;
 }
 
+std::string Ledger::settings_hash(int id) const {
+  Statement row = state_->database.prepare("SELECT settings_hash FROM realization WHERE id = ?");
+  row.bind(id);
+  if (!row.step()) throw std::logic_error(fmt::format("the ledger has no realization {}", id));
+  return row.text(0);
+}
+
 int Ledger::adopt(const std::filesystem::path& other) {
   if (!std::filesystem::exists(other)) return 0;
   const Snapshot from = read_snapshot(other);
+  if (!from.imports.empty()) return 0;
   std::vector<StoredRun> runs;
+  auto row = from.realizations.begin();
   for (const CurveRow& curve : from.curves) {
-    const auto row = std::find_if(from.realizations.begin(), from.realizations.end(),
-                                  [&](const RealizationRow& r) { return r.id == curve.realization; });
-    if (row != from.realizations.end() && row->completed()) runs.push_back({*row, curve.profile});
+    // Both are in the order of their ids.
+    row = std::find_if(row, from.realizations.end(),
+                       [&](const RealizationRow& r) { return r.id == curve.realization; });
+    if (row == from.realizations.end()) break;
+    if (row->completed()) runs.push_back({*row, curve.profile});
   }
   return take(runs);
 }
@@ -260,21 +314,25 @@ int Ledger::take(const std::vector<StoredRun>& completed) {
 }
 
 void Ledger::mark_running(int id) {
+  Write write(*state_);
   require_waiting(state_->database, id);
   state_->database.prepare("UPDATE realization SET status = 'running', started = ? WHERE id = ?")
       .bind(utc_now())
       .bind(id)
       .run();
+  write.commit();
 }
 
 void Ledger::mark_pending(int id) {
+  Write write(*state_);
   require_waiting(state_->database, id);
   clear_outcome(state_->database, id);
+  write.commit();
 }
 
 void Ledger::record(int id, const solver::Outcome& outcome) {
   const Database& database = state_->database;
-  Transaction transaction(database, Transaction::Kind::write);
+  Write write(*state_);
   require_waiting(database, id);
   write_outcome(database, id, outcome);
   Statement row = database.prepare("SELECT side FROM realization WHERE id = ?");
@@ -286,7 +344,7 @@ void Ledger::record(int id, const solver::Outcome& outcome) {
     write_window_means(database, id, outcome.profile);
     if (side == "repeat") recompute_repeat_noise(database);
   }
-  transaction.commit();
+  write.commit();
 }
 
 }  // namespace cpt::results

@@ -1,8 +1,9 @@
 // The campaign's ledger: one SQLite database with one writer, the campaign's master.
 //
-// Every finished realization is one transaction (status, audit, curve, window means) with synchronous = FULL,
-// so a kill at any moment loses only what was still running. Readers (snapshot.hpp, query.hpp, or any SQLite
-// browser) may open the database at any time, also while the campaign runs. The schema is in docs/schema.md.
+// A realization is finished once its transaction (status, audit, curve, window means) is committed with
+// synchronous = FULL, so a kill at any moment loses only what was not finished. What ends together may share
+// a transaction (Ledger::Group). Readers (snapshot.hpp, query.hpp, or any SQLite browser) may open the
+// database at any time, also while the campaign runs. The schema is in docs/schema.md.
 #pragma once
 
 #include <filesystem>
@@ -61,8 +62,8 @@ class Ledger {
   /// Opens or creates `study.database` for a run of these realizations, which become its rows. Finished runs
   /// are matched by settings hash, so adding, removing or reordering rows of a study keeps what is still
   /// valid. A damaged database is kept as NAME.damaged, and what is whole in it is taken over. Throws Locked
-  /// if another campaign holds it; Error if it is not a ledger, has another schema version, or holds finished
-  /// runs of a differently named study only.
+  /// if another campaign holds it; Error if it is not a ledger, has another schema version, holds imported
+  /// results, or finished runs of a differently named study only.
   [[nodiscard]] static Ledger open_for_run(const parameters::Study& study,
                                            std::span<const parameters::Realization> realizations,
                                            const RunOptions& options);
@@ -76,20 +77,39 @@ class Ledger {
 
   /// Ids to run, rising.
   [[nodiscard]] std::vector<int> pending() const;
+  /// Of a realization's settings (provenance.hpp). Throws std::logic_error if there is no such realization.
+  [[nodiscard]] std::string settings_hash(int id) const;
   /// Takes completed realizations of equal settings and solver from another campaign's database as this
-  /// one's; returns how many. Nothing if there is no such file.
+  /// one's; returns how many. Nothing if there is no such file, or if its results are imported.
   int adopt(const std::filesystem::path& other);
   /// A pending realization was handed out.
   void mark_running(int id);
   /// A running realization goes back to pending (its worker was lost and it is to be run elsewhere).
   void mark_pending(int id);
-  /// A realization ended, well or not: status, reason, audit, curve and window means in one transaction. The
+  /// A realization ended, well or not: status, reason, audit, curve and window means in one transaction, that
+  /// of the open group if there is one. The
   /// baseline's record also resolves the peak and trough windows and averages every curve stored before it.
   /// Throws std::logic_error if the realization had already ended.
   void record(int id, const solver::Outcome& outcome);
 
+  /// Group commit: while one lives, what is marked and recorded waits for commit(), which puts all of it on
+  /// disk at the price of one; nothing of it is finished before. What is not committed at the end is dropped.
+  /// At most one at a time.
+  class Group {
+   public:
+    explicit Group(Ledger& ledger);
+    ~Group();
+    Group(const Group&) = delete;
+    Group& operator=(const Group&) = delete;
+    void commit();
+
+   private:
+    Ledger& ledger_;
+  };
+
  private:
   struct State;
+  class Write;
   [[nodiscard]] static Ledger open(const parameters::Study& study,
                                    std::span<const parameters::Realization> realizations,
                                    const RunOptions& options, std::unique_ptr<FileLock>& lock);

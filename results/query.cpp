@@ -7,6 +7,7 @@
 #include "results/database.hpp"
 #include "results/effects.hpp"
 #include "results/schema.hpp"
+#include "results/statement_rows.hpp"
 
 namespace cpt::results {
 namespace {
@@ -58,13 +59,7 @@ Table query_sql(const std::filesystem::path& file, std::string_view sql) {
   // The connection cannot write to the ledger anyway; ATTACH and the like would still reach other files.
   if (!statement.read_only() || statement.columns() == 0)
     throw Error(fmt::format("{}: only statements that read are run", file.string()));
-  Table table;
-  for (int i = 0; i < statement.columns(); ++i) table.columns.push_back(statement.column_name(i));
-  while (statement.step()) {
-    std::vector<Cell>& row = table.rows.emplace_back();
-    for (int i = 0; i < statement.columns(); ++i) row.push_back(statement.cell(i));
-  }
-  return table;
+  return rows_of(std::move(statement));
 }
 
 }  // namespace cpt::results

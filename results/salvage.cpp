@@ -19,6 +19,10 @@ std::vector<StoredRun> salvage_runs(const std::filesystem::path& damaged, int la
   } catch (const Error&) {
     return runs;
   }
+  try {
+    if (database->integer("SELECT count(*) FROM import") > 0) return runs;  // not this program's
+  } catch (const Error&) {
+  }
   // One by one: a scan would end at the first page that is broken.
   for (int id = 1; id <= largest_id; ++id) try {
       if (matches_checksum(*database, id) != std::optional(true)) continue;

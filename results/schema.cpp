@@ -100,10 +100,10 @@ CREATE TABLE window_mean (
   window           TEXT NOT NULL REFERENCES depth_window (name),
   from_m           REAL NOT NULL,
   to_m             REAL NOT NULL,
-  bins             INTEGER NOT NULL,
+  bins             INTEGER,
   q_c_mean_kPa     REAL NOT NULL,
-  q_c_min_kPa      REAL NOT NULL,
-  q_c_max_kPa      REAL NOT NULL,
+  q_c_min_kPa      REAL,
+  q_c_max_kPa      REAL,
   PRIMARY KEY (realization, window)
 ) WITHOUT ROWID;
 
@@ -119,12 +119,20 @@ CREATE TABLE repeat_noise (
   q_c_deviation_kPa REAL NOT NULL,
   si_half_width    REAL NOT NULL
 );
+
+CREATE TABLE import (
+  position         INTEGER PRIMARY KEY,
+  file             TEXT NOT NULL,
+  sha256           TEXT NOT NULL,
+  imported         TEXT NOT NULL,
+  program_version  TEXT NOT NULL
+);
 )sql";
 
 // A table after those that refer to it.
-constexpr std::array<const char*, 9> table_names = {"checksum",  "repeat_noise", "window_mean",
-                                                    "curve",     "depth_window", "realization",
-                                                    "parameter", "layer",        "campaign"};
+constexpr std::array<const char*, 10> table_names = {"checksum",     "repeat_noise", "window_mean", "curve",
+                                                     "depth_window", "realization",  "parameter",   "layer",
+                                                     "campaign",     "import"};
 
 // SI and SI_noise as in sensitivity.hpp. A bound without a realization of its own equals the baseline.
 constexpr const char* sensitivity_view = R"sql(
@@ -149,6 +157,7 @@ state AS (
 value AS (
   SELECT bound.*,
          l.q_c_mean_kPa AS q_lower, u.q_c_mean_kPa AS q_upper, b.q_c_mean_kPa AS q_baseline,
+         b.q_c_max_kPa AS q_baseline_max,
          CASE WHEN u.q_c_mean_kPa > 0 THEN (u.q_c_mean_kPa - l.q_c_mean_kPa) / u.q_c_mean_kPa END AS si,
          CASE WHEN b.q_c_max_kPa > 0 THEN (b.q_c_max_kPa - b.q_c_min_kPa) / b.q_c_max_kPa END AS si_noise,
          CASE WHEN l.realization IS NULL AND lower_id <> baseline_id
@@ -177,7 +186,9 @@ SELECT window, parameter, q_lower AS q_lower_kPa, q_upper AS q_upper_kPa, q_base
                 THEN CASE WHEN q_lower > q_baseline THEN 'one-sided: both bounds raise q_c; '
                           ELSE 'one-sided: both bounds lower q_c; ' END ELSE '' END ||
            CASE WHEN si_noise IS NULL THEN 'noise undefined: ' ||
-                CASE WHEN no_baseline = '' THEN 'q_c of the baseline is not positive' ELSE no_baseline END
+                CASE WHEN no_baseline <> '' THEN no_baseline
+                     WHEN q_baseline_max IS NULL THEN 'only the average of the baseline was imported'
+                     ELSE 'q_c of the baseline is not positive' END
                 ELSE '' END, '; ')
        END AS note
 FROM value LEFT JOIN repeat_noise USING (window)

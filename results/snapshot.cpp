@@ -75,7 +75,8 @@ void read_numbers(const Database& database, Snapshot& s) {
   while (means.step())
     s.window_means.push_back({static_cast<int>(means.integer(0)), means.text(1), means.number(2),
                               means.number(3), means.number(4), means.number(5), means.number(6)});
-  const bool repeats = database.integer("PRAGMA user_version") >= 3;  // earlier ledgers know none
+  const auto version = database.integer("PRAGMA user_version");
+  const bool repeats = version >= 3;  // earlier ledgers know none
   if (repeats) {
     Statement noise = database.prepare(
         "SELECT window, runs, q_c_mean_kPa, q_c_deviation_kPa, si_half_width FROM repeat_noise ORDER BY "
@@ -100,6 +101,9 @@ void read_numbers(const Database& database, Snapshot& s) {
     const int id = static_cast<int>(curves.integer(0));
     s.curves.push_back({id, read_profile(database, id)});
   }
+  if (version < 4) return;  // earlier ledgers were never imported
+  Statement imports = database.prepare("SELECT file, sha256, imported FROM import ORDER BY position");
+  while (imports.step()) s.imports.push_back({imports.text(0), imports.text(1), imports.text(2)});
 }
 
 /// A row that another one refers to is there; who reads a snapshot relies on it.
@@ -135,6 +139,10 @@ Database open_ledger(const std::filesystem::path& file) {
 Snapshot read_snapshot(const std::filesystem::path& file) {
   const Database database = open_ledger(file);
   const Transaction transaction(database, Transaction::Kind::read);
+  return read_snapshot(database);
+}
+
+Snapshot read_snapshot(const Database& database) {
   Snapshot snapshot;
   read_description(database, snapshot);
   read_numbers(database, snapshot);

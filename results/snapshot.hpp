@@ -62,7 +62,7 @@ struct WindowRow {
   std::string problem;  ///< why the window is not resolved; empty if it is
 };
 
-/// Row of `window_mean`.
+/// Row of `window_mean`. Of an imported average the least and the largest q_c may be NaN.
 struct WindowMeanRow {
   int realization = 0;
   std::string window;
@@ -94,6 +94,12 @@ struct CurveRow {
   solver::DepthProfile profile;
 };
 
+/// Row of `import`: a file that results were imported from.
+struct ImportRow {
+  std::string file, sha256;
+  std::string imported;  ///< when; UTC, ISO 8601
+};
+
 struct Snapshot {
   CampaignRow campaign;
   std::vector<LayerRow> layers;
@@ -104,10 +110,13 @@ struct Snapshot {
   std::vector<RepeatNoiseRow> repeat_noise;
   std::vector<SensitivityRow> sensitivity;  ///< by window, then parameter, in the study's order
   std::vector<CurveRow> curves;             ///< by realization
+  std::vector<ImportRow> imports;           ///< empty where the results are this program's own runs
 };
 
 /// Reads everything; throws Error if the file is missing or not a ledger of this schema.
 [[nodiscard]] Snapshot read_snapshot(const std::filesystem::path& database);
+/// The same within a transaction of the caller.
+[[nodiscard]] Snapshot read_snapshot(const Database& database);
 
 /// One realization's row and curve; nullopt if there is no such id. Throws as read_snapshot.
 struct StoredRun {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -64,7 +65,10 @@ std::string as_table(const Table& table) {
 }
 
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  // Many readers drop blanks around a field.
+  const bool blank_ends =
+      !text.empty() && (std::strchr(" \t", text.front()) || std::strchr(" \t", text.back()));
+  if (!blank_ends && text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted(1, '"');
   for (const char c : text) {
     if (c == '"') quoted += '"';

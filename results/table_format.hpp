@@ -19,6 +19,12 @@ struct Table {
   std::vector<std::vector<Cell>> rows;  ///< each as long as `columns`
 };
 
+/// A table and what it is called, as a file or in a document.
+struct NamedTable {
+  std::string name;
+  Table table;
+};
+
 enum class Format { table, csv, json };
 [[nodiscard]] std::optional<Format> format_from_string(std::string_view name);
 

@@ -258,6 +258,7 @@ double Quantity::value(const Setup& setup) const {
   // Dividing by the scale gives 28.999999999999996 % for 0.29: take the shortest number that comes back
   // exactly.
   const double si = get(setup);
+  if (scale == 1.0) return si;
   const double quotient = si / scale;
   if (!std::isfinite(quotient)) return quotient;
   for (int digits = 1; digits <= 17; ++digits) {
@@ -279,8 +280,8 @@ std::string canonical_text(const Setup& setup) {
   static const Setup defaults;
   std::string text;
   for (const Quantity& quantity : all_quantities()) {
-    const double value = quantity.value(setup);
     if (quantity.silent_default && quantity.get(setup) == quantity.get(defaults)) continue;
+    const double value = quantity.value(setup);
     text += fmt::format("{} = {}", quantity.name, quantity.format(value));
     const double si = quantity.get(setup);
     if (value * quantity.scale != si)

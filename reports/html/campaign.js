@@ -18,7 +18,7 @@ const bound_run = (parameter, side) => runs.find((run) => run.parameter === para
 const indices_in = (window) => data.sensitivity.filter((row) => row.window === window.name);
 const repeats_in = (window) => data.repeat_noise.find((row) => row.window === window.name);
 const within_noise = (row) => row.above_noise === 0 || row.above_repeats === 0;
-const is_loud = (row) => row.above_noise === 1 && !within_noise(row);
+const is_loud = (row) => known(row.si) && !within_noise(row);
 const swing = (row) => Math.abs(row.q_upper_kPa - row.q_lower_kPa);
 const has_both = (row) => known(row.q_upper_kPa) && known(row.q_lower_kPa);
 

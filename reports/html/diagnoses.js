@@ -18,7 +18,7 @@ function diagnoses() {
       held_out ? el("p", {}, held_out) : null,
       figure(`Probabilities of the hypotheses of ${d.title}`,
         el("span", {}, "Probability of each hypothesis, prior as a tick;", key("blue"), "in the set that holds the answer with " +
-          "90 % probability", key("faint"), "others."),
+          "95 % probability", key("faint"), "others."),
         (width) => Plot.plot({
           ...frame_of(rows, labels, Math.min(width, 640)),
           x: { domain: [0, 1], label: "probability (-)", labelAnchor: "center", labelArrow: "none", grid: true, insetRight: 50 },

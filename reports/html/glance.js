@@ -26,11 +26,13 @@ function glance() {
       const first = d3.greatest(rows, swing);
       const loud = rows.filter(is_loud);
       const repeats = repeats_in(window);
+      const noise = [rows.some((row) => known(row.above_noise)) && "of the baseline",
+        repeats && `of its ${repeats.runs - 1} repeats`].filter(Boolean);
       if (first)
         text.append(rich(parameter_of.get(first.parameter).label), ` changes it most, from ` +
-          `${number(first.q_lower_kPa)} kPa at its lower to ${number(first.q_upper_kPa)} kPa at its upper bound. ` +
-          `The index of ${loud.length} of ${indices_in(window).length} inputs exceeds the noise of the baseline` +
-          `${repeats ? ` and of its ${repeats.runs - 1} repeats` : ""}`,
+          `${number(first.q_lower_kPa)} kPa at its lower to ${number(first.q_upper_kPa)} kPa at its upper bound. `);
+      if (first && noise.length)
+        text.append(`The index of ${loud.length} of ${indices_in(window).length} inputs exceeds the noise ${noise.join(" and ")}`,
           ...loud.flatMap((row, k) => [k ? ", " : ": ", rich(parameter_of.get(row.parameter).label)]), ".");
     } else text.append("has no baseline yet.");
     byId("glance").append(text);

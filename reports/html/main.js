@@ -12,6 +12,7 @@ function provenance() {
   row("solver version", c.solver_version);
   row("campaign begun", c.created);
   row("newest result", data.newest_result);
+  for (const source of data.imports) row("imported from", `${source.file} (SHA-256 ${source.sha256}), ${source.imported}`);
   byId("provenance").append(list,
     el("details", {}, el("summary", {}, "Study file"), el("pre", {}, c.study_text)),
     el("details", {}, el("summary", {}, "All inputs of the baseline"), el("pre", {}, c.baseline_setup)),

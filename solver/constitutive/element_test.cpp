@@ -14,6 +14,8 @@ template <typename... Functions>
 struct Overload : Functions... {
   using Functions::operator()...;
 };
+template <typename... Functions>
+Overload(Functions...) -> Overload<Functions...>;  // clang 14 has no such guide of its own
 
 double radial_stress(const Specimen& specimen) { return -specimen.stress().rr; }
 double axial_stress(const Specimen& specimen) { return -specimen.stress().zz; }

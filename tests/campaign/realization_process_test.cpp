@@ -180,9 +180,9 @@ TEST(RealizationProcess, DiesWithItsParent) {
   ::close(pipe_ends[1]);
 }
 
-TEST(Executor, RunsSeveralSideBySide) {
+TEST(ProcessExecutor, RunsSeveralSideBySide) {
   const Behaviour environment("curve", "0.3");
-  Executor executor({FAKE_REALIZATION});
+  ProcessExecutor executor({FAKE_REALIZATION});
   const double start = monotonic_seconds();
   for (int id = 1; id <= 4; ++id) {
     Order one = order();

@@ -23,8 +23,8 @@ TEST(CommandLine, HelpHasExamplesAndExitCodes) {
     expect_has(result.out, "Exit codes:");
     expect_has(result.out, "rerun");
   }
-  for (const char* command : {"run", "rerun", "query", "compare", "report", "push", "paper", "numerics",
-                              "element", "recording", "diagnose", "list"})
+  for (const char* command : {"run", "rerun", "query", "compare", "export", "import", "report", "push",
+                              "paper", "numerics", "element", "recording", "diagnose", "list"})
     EXPECT_EQ(run(campaign({command, "--help"})).exit_code, 0) << command;
 }
 

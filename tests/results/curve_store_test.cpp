@@ -63,7 +63,7 @@ TEST_F(CurveStore, IsRebuiltFromTheLedgerWhenTruncatedOrOverwritten) {
     EXPECT_EQ(bytes(study.curves), whole);
   }
   std::ofstream(study.curves, std::ios::binary) << "not HDF5 at all";
-  EXPECT_THROW(read_curves(study.curves), Error);
+  EXPECT_THROW((void)read_curves(study.curves), Error);
   EXPECT_TRUE(sync_curves(study.curves, study.database));
   EXPECT_EQ(bytes(study.curves), whole);
 }

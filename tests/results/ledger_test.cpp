@@ -150,6 +150,52 @@ TEST_F(LedgerTest, OpensWhileTheCampaignRunsAndSeesEachRecord) {
   EXPECT_EQ(read_snapshot(study.database).curves.size(), 2u);
 }
 
+TEST_F(LedgerTest, AGroupIsThereAsAWholeAtItsCommit) {
+  Ledger ledger = open(study);
+  Ledger::Group group(ledger);
+  group.commit();  // nothing yet
+  ledger.mark_running(1);
+  ledger.record(1, completed(4e6));
+  ledger.mark_running(2);
+  ledger.record(2, completed(3e6));
+  EXPECT_EQ(ledger.counts().completed, 2);
+  EXPECT_TRUE(read_snapshot(study.database).curves.empty()) << "others see it before the commit";
+  group.commit();
+  EXPECT_EQ(read_snapshot(study.database).curves.size(), 2u);
+  ledger.record(3, completed(2e6));
+  group.commit();
+  EXPECT_EQ(read_snapshot(study.database).curves.size(), 3u);
+}
+
+TEST_F(LedgerTest, AGroupWithoutCommitLeavesNoTrace) {
+  Ledger ledger = open(study);
+  const std::string before = dump_without_times(study.database);
+  {
+    const Ledger::Group group(ledger);
+    ledger.mark_running(1);
+    ledger.record(1, completed(4e6));
+  }
+  EXPECT_EQ(dump_without_times(study.database), before);
+  ledger.record(1, completed(4e6));
+  EXPECT_EQ(read_snapshot(study.database).curves.size(), 1u) << "a record is a transaction of its own again";
+}
+
+TEST_F(LedgerTest, GroupedAndSingleRecordsMakeTheSameDatabase) {
+  {
+    Ledger ledger = open(study);
+    for (int id = 1; id <= 8; ++id) ledger.record(id, completed(1e6 * id));
+  }
+  const std::string single = dump_without_times(study.database);
+  std::filesystem::remove(study.database);
+  {
+    Ledger ledger = open(study);
+    Ledger::Group group(ledger);
+    for (int id = 8; id >= 1; --id) ledger.record(id, completed(1e6 * id));
+    group.commit();
+  }
+  EXPECT_EQ(dump_without_times(study.database), single);
+}
+
 TEST_F(LedgerTest, EndedCampaignIsOnePlainFile) {
   { open(study).record(1, completed(4e6)); }
   std::vector<std::string> files;

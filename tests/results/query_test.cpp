@@ -25,7 +25,7 @@ TEST_F(Query, EveryNamedQueryAnswers) {
   }
   EXPECT_EQ(query(study.database, "failures").rows.size(), 1u);
   EXPECT_EQ(query(study.database, "windows").rows.size(), 8u);
-  EXPECT_THROW(query(study.database, "nonsense"), Error);
+  EXPECT_THROW((void)query(study.database, "nonsense"), Error);
 }
 
 TEST_F(Query, WindowIsAUsableColumnName) {
@@ -39,16 +39,16 @@ TEST_F(Query, NothingCanBeWritten) {
         "INSERT INTO layer VALUES (9, 0, 1, 'sand')", "PRAGMA user_version = 5", "VACUUM", "BEGIN",
         "CREATE TEMP TABLE t (x)", "DELETE FROM curve RETURNING realization",
         "WITH x AS (SELECT 1) DELETE FROM curve", "SELECT 1; DELETE FROM curve", "", "SELEC 1"})
-    EXPECT_THROW(query_sql(study.database, sql), Error) << sql;
+    EXPECT_THROW((void)query_sql(study.database, sql), Error) << sql;
   const std::string elsewhere = (folder / "elsewhere.sqlite").string();
-  EXPECT_THROW(query_sql(study.database, "ATTACH '" + elsewhere + "' AS e"), Error);
-  EXPECT_THROW(query_sql(study.database, "VACUUM INTO '" + elsewhere + "'"), Error);
+  EXPECT_THROW((void)query_sql(study.database, "ATTACH '" + elsewhere + "' AS e"), Error);
+  EXPECT_THROW((void)query_sql(study.database, "VACUUM INTO '" + elsewhere + "'"), Error);
   EXPECT_FALSE(std::filesystem::exists(elsewhere));
   EXPECT_EQ(dump_without_times(study.database), before);
 }
 
 TEST_F(Query, MissingDatabaseSaysSo) {
-  EXPECT_THROW(query_sql(folder / "none.sqlite", "SELECT 1"), Error);
+  EXPECT_THROW((void)query_sql(folder / "none.sqlite", "SELECT 1"), Error);
   EXPECT_FALSE(std::filesystem::exists(folder / "none.sqlite"));
 }
 

@@ -1,8 +1,9 @@
 // A push that goes on from a stored state ends with the same bits as one that was never stopped.
 #include <gtest/gtest.h>
 
-#include <cstdint>
+#include <chrono>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "solver/presets.hpp"
@@ -11,11 +12,18 @@
 namespace cpt::solver {
 namespace {
 
-// Keeps every state it can get, about ten a second.
+// Keeps every state it can get: one at the start and one a millimetre, on however fast a machine, since it
+// lingers there for longer than the solver lets pass between two polls.
 struct Keeper : Observer {
   std::vector<PushState> states;
+  double next = 0.0;  // [m]
   bool state_wanted() override { return true; }
   void keep_state(PushState state) override { states.push_back(std::move(state)); }
+  [[nodiscard]] double next_look() const override { return next; }
+  void look(double depth, const MaterialPoints&) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(110));
+    next = depth + 0.001;
+  }
 };
 
 // Keeps the state of its first poll and ends the run there.

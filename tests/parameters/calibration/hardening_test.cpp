@@ -31,7 +31,7 @@ TriaxialCurve measured(const Specimen& specimen, double spacing, double noise, u
   for (const auto& row : rows) largest = std::max(largest, row.q);
 
   std::mt19937 generator(seed);
-  std::normal_distribution<double> error(0.0, noise * largest);
+  std::normal_distribution<double> error;  // in standard deviations
   TriaxialCurve curve;
   curve.p_0 = specimen.p_0;
   curve.D_r = specimen.D_r;
@@ -39,7 +39,7 @@ TriaxialCurve measured(const Specimen& specimen, double spacing, double noise, u
   for (const auto& row : rows) {
     const double eps_a = -std::expm1(-row.eps_a);
     if (eps_a < next) continue;
-    curve.readings.push_back({eps_a, row.q + error(generator), -std::expm1(-row.eps_v)});
+    curve.readings.push_back({eps_a, row.q + noise * largest * error(generator), -std::expm1(-row.eps_v)});
     next += spacing;
   }
   return curve;

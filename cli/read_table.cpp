@@ -1,0 +1,95 @@
+#include "cli/read_table.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "cli/export_format.hpp"
+#include "cli/study_argument.hpp"
+#include "recordings/delimited.hpp"
+#include "results/campaign_tables.hpp"
+#include "results/json_document.hpp"
+#include "results/provenance.hpp"
+#include "results/schema.hpp"
+
+namespace cpt::cli {
+namespace {
+
+constexpr std::uintmax_t largest_file = 1024U << 20U;  // [bytes]
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::ifstream stream;
+  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
+  if (!stream.is_open()) throw BadInput(fmt::format("{}: there is no file that can be read", file.string()));
+  if (std::filesystem::file_size(file, ignored) > largest_file)
+    throw BadInput(fmt::format("{}: is larger than {} MiB", file.string(), largest_file >> 20U));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// Without the folders above: they may name a machine or a user.
+std::string name_of(const std::filesystem::path& file, bool with_folder) {
+  if (!with_folder) return file.filename().string();
+  return (std::filesystem::absolute(file).lexically_normal().parent_path().filename() / file.filename())
+      .string();
+}
+
+parameters::FieldTable parsed(const std::string& bytes, const std::filesystem::path& file) {
+  const recordings::Decoded content = recordings::decoded(bytes);
+  recordings::Problems problems(file.string());
+  recordings::DelimitedTable read = recordings::read_delimited(content.text, problems);
+  if (problems.any()) throw BadInput(recordings::format(problems.errors()));
+  const auto fields = [](std::vector<recordings::PlacedText>& texts) {
+    std::vector<parameters::Field> moved;
+    moved.reserve(texts.size());
+    for (recordings::PlacedText& text : texts)
+      moved.push_back({std::move(text.text), {text.line, text.column}});
+    return moved;
+  };
+  parameters::FieldTable table{file.string(), file.stem().string(), fields(read.names), {}};
+  for (std::vector<recordings::PlacedText>& row : read.rows) table.rows.push_back(fields(row));
+  return table;
+}
+
+void add_table(const std::filesystem::path& file, bool in_folder, TableFiles& found) {
+  const std::string bytes = bytes_of(file);
+  found.tables.push_back(parsed(bytes, file));
+  found.files.push_back({name_of(file, in_folder), results::sha256(bytes)});
+}
+
+}  // namespace
+
+bool is_export(const std::filesystem::path& source) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(source, ignored) || source.extension() == ".json";
+}
+
+TableFiles read_export(const std::filesystem::path& source) {
+  TableFiles found;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(source, ignored)) {
+    for (const results::LedgerTable& table : results::ledger_tables())
+      if (const auto file = source / (table.name + ".csv"); std::filesystem::exists(file, ignored))
+        add_table(file, true, found);
+    if (found.tables.empty())
+      throw BadInput(
+          fmt::format("{}: holds none of the tables that campaign export writes", source.string()));
+    return found;
+  }
+  const std::string bytes = bytes_of(source);
+  auto read = results::read_json_document(bytes, source.string(), export_format, results::schema_version);
+  if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&read))
+    throw BadInput(parameters::format(*errors));
+  found.tables = std::get<std::vector<parameters::FieldTable>>(std::move(read));
+  found.files = {{name_of(source, false), results::sha256(bytes)}};
+  return found;
+}
+
+TableFiles read_table(const std::filesystem::path& file) {
+  TableFiles found;
+  add_table(file, false, found);
+  return found;
+}
+
+}  // namespace cpt::cli

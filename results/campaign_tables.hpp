@@ -1,0 +1,35 @@
+// A campaign's database as plain tables, for other programs.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "results/table_format.hpp"
+
+namespace cpt::results {
+
+class Database;
+
+/// A table of the ledger, and its columns as they are exported and imported.
+struct LedgerTable {
+  struct Column {
+    std::string name, type;  ///< type: TEXT, INTEGER or REAL
+    bool required;           ///< never NULL
+  };
+  std::string name;
+  std::string order;  ///< of its rows, as SQL
+  std::vector<Column> columns;
+};
+
+/// The ledger's tables as docs/schema.md has them, each behind those that it refers to: campaign, layer,
+/// parameter, depth_window, realization, curve, window_mean, repeat_noise, checksum, import. `curve` is not
+/// as it is stored but has one row a depth bin: realization, depth_m, q_c_Pa, f_s_Pa.
+[[nodiscard]] const std::vector<LedgerTable>& ledger_tables();
+
+/// All that a database holds, in the order of ledger_tables(); then what follows from it: samples
+/// (samples.hpp), sensitivity, tornado and effects. Read in one transaction; throws Error as read_snapshot.
+[[nodiscard]] std::vector<NamedTable> campaign_tables(const std::filesystem::path& database);
+
+}  // namespace cpt::results
