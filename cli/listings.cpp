@@ -145,7 +145,10 @@ Table environment(bool) {
            {"CPT_INSTRUCTION_SET",
             "avx2 or baseline: the widest vector instructions to use, where the processor has wider ones"},
            {"OMPI_ALLOW_RUN_AS_ROOT",
-            "1, with OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1, lets Open MPI's mpirun run as root"}}};
+            "1, with OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1, lets Open MPI's mpirun run as root"},
+           {"PMIX_MCA_gds",
+            "hash, for Open MPI 4's mpirun: it then ends also where a rank is killed while it starts, which "
+            "can else leave it waiting for ever"}}};
 }
 
 Table files(bool) {

@@ -64,7 +64,9 @@ Background::Background(const Command& command, const std::vector<std::string>& v
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   std::vector<std::string> own = variables;
-  own.insert(own.end(), {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
+  // As scripts/mpi-environment.
+  own.insert(own.end(),
+             {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1", "PMIX_MCA_gds=hash"});
   std::vector<char*> environment;
   for (std::string& variable : own) environment.push_back(variable.data());
   for (char** variable = environ; *variable != nullptr; ++variable) environment.push_back(*variable);
@@ -136,9 +138,11 @@ std::string StudyFolder::read(const std::string& name) const { return read_file(
 
 std::string contents(const std::string& database) {
   std::string all;
-  const char* questions[] = {
+  constexpr const char* realizations =
       "select id, parameter, side, value, status, reason, steps, material_points, settings_hash, mass_error, "
-      "momentum_error, energy_error, kinetic_fraction, max_empty_cells from realization order by id",
+      "momentum_error, energy_error, kinetic_fraction, max_empty_cells from realization order by id";
+  const char* questions[] = {
+      realizations,
       "select realization, bins, hex(depth_m), hex(q_c_Pa), hex(f_s_Pa) from curve order by realization",
       "select * from depth_window order by name", "select * from window_mean order by realization, window",
       "select * from sensitivity order by window, parameter"};

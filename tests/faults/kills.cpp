@@ -5,13 +5,16 @@
 #include <memory>
 #include <random>
 #include <thread>
+#include <tuple>
 
 #include "tests/faults/trial.hpp"
 
 namespace cpt::tests {
 namespace {
 
-enum class Victim { master, worker, realization, group };
+constexpr double longest_start = 0.1;  // [s] a rank with the stand-in solver takes about so long
+
+enum class Victim { master, worker, starting_rank, realization, group };
 
 void add_descendants(pid_t pid, std::vector<pid_t>& all) {
   for (const pid_t child : children_of(pid)) {
@@ -34,10 +37,18 @@ std::vector<pid_t> find(Victim victim, pid_t launcher, std::mt19937& random) {
   if (ranks.size() < 2) return {};
   if (victim == Victim::master) return {ranks[0]};
   if (victim == Victim::worker) return {ranks[1]};
+  if (victim == Victim::starting_rank) return {ranks[random() % ranks.size()]};
   std::vector<pid_t> running = children_of(ranks[0]);
   for (const pid_t pid : children_of(ranks[1])) running.push_back(pid);
   if (running.empty()) return {};
   return {running[random() % running.size()]};
+}
+
+// Waits until there are ranks to start, and lets them come somewhat on in it.
+void let_start(pid_t launcher, double longest, std::mt19937& random) {
+  std::ignore = eventually([&] { return children_of(launcher).size() >= 2 || !alive(launcher); });
+  std::uniform_real_distribution<double> moment(0.0, longest);
+  std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
 }
 
 Finding kill_at_random(Victim victim, const std::string& name, Solver solver, int trials, unsigned seed) {
@@ -51,10 +62,17 @@ Finding kill_at_random(Victim victim, const std::string& name, Solver solver, in
     if (!trial || trial->complete()) trial = std::make_unique<Trial>(solver);
     const Command command = mpirun(2, trial->arguments({"--slots", "1", "--retry-failed"}));
     Background job(command, trial->variables());
-    std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
+    if (victim == Victim::starting_rank)
+      let_start(job.pid(), longest_start, random);
+    else
+      std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
     const std::vector<pid_t> everything = group_of(job.pid());
     const std::vector<pid_t> victims = find(victim, job.pid(), random);
     for (const pid_t pid : victims) ::kill(pid, SIGKILL);
+    if (!eventually([&] { return !alive(job.pid()); })) {
+      finding.problems.push_back("mpirun goes on without its ranks");
+      for (const pid_t pid : everything) ::kill(pid, SIGKILL);
+    }
     const Result result = job.wait();
     expect(finding, eventually([&] {
              for (const pid_t pid : everything)
@@ -86,6 +104,7 @@ std::vector<Fault> kills() {
   return {
       kill_fault("kill_master", Victim::master, "the master", Solver::stand_in, 3, 50),
       kill_fault("kill_worker", Victim::worker, "a worker", Solver::stand_in, 3, 50),
+      kill_fault("kill_starting_rank", Victim::starting_rank, "a rank that starts", Solver::stand_in, 3, 50),
       kill_fault("kill_realization", Victim::realization, "a realization's process", Solver::stand_in, 3, 50),
       kill_fault("kill_group", Victim::group, "the whole group", Solver::stand_in, 3, 50),
       kill_fault("kill_master_real", Victim::master, "the master", Solver::real, 1, 3),

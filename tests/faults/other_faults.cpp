@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <atomic>
 #include <random>
 #include <thread>
 
@@ -30,7 +31,7 @@ Finding jumping_clock(int trials, unsigned seed) {
                      {std::string("LD_PRELOAD=") + faketime, "FAKETIME_DONT_FAKE_MONOTONIC=1",
                       "FAKETIME_NO_CACHE=1", "FAKETIME_TIMESTAMP_FILE=" + trial.folder().file("clock")});
     Background job(campaign(trial.arguments({"--slots", "1"})), variables);
-    bool running = true;
+    std::atomic<bool> running = true;
     std::thread jumps([&] {
       for (; running; std::this_thread::sleep_for(std::chrono::milliseconds(50)))
         trial.folder().write("clock", fmt::format("{:+}d", static_cast<int>(random() % 7300) - 3650));

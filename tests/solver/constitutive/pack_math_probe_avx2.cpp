@@ -1,7 +1,11 @@
 #if defined(__x86_64__)
 #include "tests/solver/constitutive/pack_math_probe.hpp"
 
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
+#else
 #pragma GCC target("avx2,fma")
+#endif
 #define CPT_PACK_BYTES 32
 #define CPT_KERNEL_NAMESPACE probe_for_avx2
 #include "solver/constitutive/pack_math.hpp"
@@ -15,4 +19,8 @@ void probe_avx2(const double* x, double* logarithm, double* exponential) {
   }
 }
 }  // namespace cpt::solver
+
+#if defined(__clang__)
+#pragma clang attribute pop
+#endif
 #endif
