@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "campaign/clock.hpp"
 #include "campaign/forecast.hpp"
@@ -203,10 +204,15 @@ class Master {
       ledger_.mark_pending(id);
       return;
     }
+    give_up(id, solver::Status::crashed,
+            fmt::format("told to end from outside {} times", most_interruptions));
+  }
+
+  void give_up(int id, solver::Status status, std::string reason) {
     scheduler_.give_up(id);
     solver::Outcome outcome;
-    outcome.status = solver::Status::crashed;
-    outcome.reason = fmt::format("told to end from outside {} times", most_interruptions);
+    outcome.status = status;
+    outcome.reason = std::move(reason);
     record(id, outcome);
   }
 
@@ -307,15 +313,11 @@ class Master {
     display_.note(fmt::format("warning: rank {} {}; its realizations start again elsewhere", rank, why));
     for (const int id : scheduler_.lose_rank(rank)) {
       forecast_.restarted(id);
-      if (++losses_[id] < most_losses) {
+      if (++losses_[id] < most_losses)
         ledger_.mark_pending(id);
-        continue;
-      }
-      scheduler_.give_up(id);
-      solver::Outcome outcome;
-      outcome.status = solver::Status::rank_lost;
-      outcome.reason = fmt::format("{} ranks were lost while running it", most_losses);
-      record(id, outcome);
+      else
+        give_up(id, solver::Status::rank_lost,
+                fmt::format("{} ranks were lost while running it", most_losses));
     }
   }
 
