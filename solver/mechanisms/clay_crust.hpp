@@ -2,6 +2,7 @@
 //
 //   s_u(z) = s_u (1 + increase exp(-z / decay))
 #pragma once
+
 #include <cmath>
 
 namespace cpt::solver {

@@ -7,6 +7,7 @@
 // and infinity (with gap 0). Stability: the wall's spring on the mass next to it, dt < 2 sqrt(compliance rho
 // f w / 2), is far above the soil's own step for any compliance above 0.01 mm/MPa.
 #pragma once
+
 #include <algorithm>
 #include <vector>
 

@@ -2,6 +2,7 @@
 //
 //   D_r(z) = D_r + change over |z - centre| < thickness / 2
 #pragma once
+
 #include <cmath>
 
 namespace cpt::solver {

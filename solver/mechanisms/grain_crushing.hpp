@@ -5,6 +5,7 @@
 // the steeper branch of Russell & Khalili (2004), Can. Geotech. J. 41, 1179-1192. It acts in NorSand through
 // the state parameter and its slope (solver/constitutive/norsand_state.hpp).
 #pragma once
+
 #include <algorithm>
 #include <cmath>
 

@@ -3,6 +3,7 @@
 // Over `thickness`, half of it to either side of an interface, the share of one soil goes linearly from 1 to
 // 0. A material point is one soil or the other; which one is drawn from its number, the same for every run.
 #pragma once
+
 #include <cstdint>
 
 namespace cpt::solver {

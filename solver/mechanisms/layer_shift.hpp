@@ -2,6 +2,7 @@
 //
 //   every interface but the soil's top and bottom moves down by `shift`
 #pragma once
+
 #include <vector>
 
 namespace cpt::solver {

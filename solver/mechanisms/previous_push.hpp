@@ -7,6 +7,7 @@
 // push the change is larger: a spacing below that of the axes stands for it. Vertical equilibrium allows one
 // factor on sigma'_v only, horizontal equilibrium any function of depth.
 #pragma once
+
 #include <vector>
 
 namespace cpt::solver {

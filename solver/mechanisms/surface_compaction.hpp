@@ -6,6 +6,7 @@
 // goes with it (a few per cent over a few centimetres, below 0.1 % of sigma_v0) is left out of the initial
 // stress.
 #pragma once
+
 #include <cmath>
 
 namespace cpt::solver {

@@ -5,6 +5,7 @@
 // solved layer by layer. The wall's shear tau = mu K_0 sigma_v acts on the soil at the wall throughout the
 // push; inside it falls linearly to zero on the axis, which keeps vertical equilibrium at every radius.
 #pragma once
+
 #include <cmath>
 
 namespace cpt::solver {
