@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "reports/palette.hpp"
 
@@ -22,6 +23,10 @@ std::vector<Tick> ticks(double low, double high, int count) {
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
   const double ratio = raw / power;
   const double step = power * (ratio < 1.5 ? 1.0 : ratio < 3.5 ? 2.0 : ratio < 7.5 ? 5.0 : 10.0);
+  // Below a double's normal numbers, or finer than the digits of its ends, an axis has no ticks.
+  if (!(step >= std::numeric_limits<double>::min()) ||
+      !(std::max(std::abs(low), std::abs(high)) < 1e15 * step))
+    return {};
   const int places = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
   std::vector<Tick> out;
   const double slack = 1e-9 * (high - low);

@@ -23,7 +23,7 @@ struct Tick {
 };
 
 /// Multiples of 1, 2 or 5 times a power of ten inside [low, high], about `count` of them, with as many
-/// decimals as their step needs. Wants low < high.
+/// decimals as their step needs. Wants low < high; none where a double cannot tell them apart.
 [[nodiscard]] std::vector<Tick> ticks(double low, double high, int count);
 
 /// Widens [low, high] by a fraction on both sides; a range without width becomes one around its value.

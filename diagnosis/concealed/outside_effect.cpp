@@ -10,7 +10,7 @@
 namespace cpt::diagnosis::concealed {
 namespace {
 
-constexpr std::array<std::string_view, 5> kinds = {"stone", "laminae", "gain drift", "stuck", "pauses"};
+constexpr std::array<std::string_view, 5> kinds = {"stone", "laminae", "zero jump", "stuck", "pauses"};
 constexpr double recovery = 0.008;  // [m] of q_c after a pause
 
 double between(Random& random, double lower, double upper) {
@@ -41,9 +41,8 @@ OutsideEffect draw_outside(std::string_view kind, double from, double to, Random
   } else if (kind == "laminae") {
     effect.size = between(random, 0.02, 0.2);
     effect.length = between(random, 0.03, 0.08);
-  } else if (kind == "gain drift") {
+  } else if (kind == "zero jump") {
     effect.size = signed_between(random, 0.05, 0.4);
-    effect.length = to - from;
   } else if (kind == "stuck") {
     effect.size = 1.0;
     effect.length = between(random, 0.01, 0.05);
@@ -67,6 +66,7 @@ std::vector<double> with_outside(const OutsideEffect& effect, std::span<const do
       return q * (1.0 + effect.size * std::exp(-0.5 * x * x / (effect.length * effect.length)));
     if (effect.kind == "laminae")
       return q * (1.0 + effect.size * std::sin(2.0 * std::numbers::pi * x / effect.length));
+    if (effect.kind == "zero jump") return x > 0.0 ? q + effect.size * mean : q;
     if (effect.kind == "gain drift") return q * (1.0 + effect.size * (z - depth.front()) / effect.length);
     if (effect.kind == "zero drift") return q + effect.size * mean * (z - depth.front()) / effect.length;
     if (effect.kind == "zero offset") return q + effect.size * mean;

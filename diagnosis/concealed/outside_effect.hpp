@@ -21,12 +21,13 @@ struct OutsideEffect {
 
 /// stone         q (1 + size exp(-((z - depth) / length)^2 / 2)): a stone or a hard lump beside the cone
 /// laminae       q (1 + size sin(2 pi (z - depth) / length)): thin layers, alternately denser and looser
-/// gain drift    q (1 + size (z - z_0) / (z_1 - z_0)): the amplifier's gain drifts during the push
+/// zero jump     q + size mean(q) below depth: a blow has overloaded the cell
 /// stuck         q as it was at depth, over length: sand grains jam the gap behind the cone
 /// pauses        q (1 - size exp(-(z - z_p) / 8 mm)) after each pause, z_p = depth + k length: stress relaxed
 /// zero drift    q + size mean(q) (z - z_0) / (z_1 - z_0)
 /// zero offset   q + size mean(q)
-/// The last two were drawn before the catalogue had them, and are judged as its mechanisms.
+/// gain drift    q (1 + size (z - z_0) / (z_1 - z_0))
+/// The last three were drawn before the catalogue had them, and are judged as its mechanisms.
 [[nodiscard]] std::span<const std::string_view> outside_kinds();  ///< that are drawn
 
 /// The mechanism of the catalogue that the effect is by now; nullptr if there is none.

@@ -7,6 +7,7 @@
 #include "solver/mechanisms/cushion_transfer.hpp"
 #include "solver/mechanisms/density_lens.hpp"
 #include "solver/mechanisms/depth_datum.hpp"
+#include "solver/mechanisms/gain_drift.hpp"
 #include "solver/mechanisms/grain_crushing.hpp"
 #include "solver/mechanisms/interface_mixing.hpp"
 #include "solver/mechanisms/layer_shift.hpp"
@@ -42,6 +43,7 @@ struct Mechanisms {
   WornCone worn_cone;
   ZeroOffset zero_offset;
   ZeroDrift zero_drift;
+  GainDrift gain_drift;
 };
 
 }  // namespace cpt::solver

@@ -4,10 +4,12 @@ namespace cpt::solver {
 
 DepthProfile as_recorded(DepthProfile profile, const Setup& setup) {
   const double offset = setup.mechanisms.zero_offset.offset, drift = setup.mechanisms.zero_drift.at_end;
-  const double shift = setup.mechanisms.depth_datum.shift;
-  if (offset != 0.0 || drift != 0.0)
-    for (std::size_t i = 0; i < profile.q_c.size(); ++i)
-      profile.q_c[i] += offset + drift * profile.depth[i] / setup.penetrometer.final_depth;
+  const double gain = setup.mechanisms.gain_drift.at_end, shift = setup.mechanisms.depth_datum.shift;
+  if (offset != 0.0 || drift != 0.0 || gain != 0.0)
+    for (std::size_t i = 0; i < profile.q_c.size(); ++i) {
+      const double way = profile.depth[i] / setup.penetrometer.final_depth;
+      profile.q_c[i] = profile.q_c[i] * (1.0 + gain * way) + (offset + drift * way);
+    }
   if (shift != 0.0)
     for (double& depth : profile.depth) depth += shift;
   return profile;

@@ -6,9 +6,9 @@
 
 namespace cpt::solver {
 
-/// The profile of a push as it would be recorded: with the load cell's zero offset and drift, and depths from
-/// the shifted datum. As it is where all three are off. Sources: zero_offset.hpp, zero_drift.hpp,
-/// depth_datum.hpp.
+/// The profile of a push as it would be recorded: with the drift of the load cell's gain, the offset and
+/// drift of its zero, and depths from the shifted datum. As it is where all four are off. Sources:
+/// gain_drift.hpp, zero_offset.hpp, zero_drift.hpp, depth_datum.hpp.
 [[nodiscard]] DepthProfile as_recorded(DepthProfile profile, const Setup& setup);
 
 }  // namespace cpt::solver

@@ -181,6 +181,8 @@ TEST(OutsideEffect, DoesWhatItsFormulaSays) {
   EXPECT_NEAR(made({"pauses", 0.3, 0.10, 0.06})[0], 1e6, 1.0);
   EXPECT_NEAR(made({"pauses", 0.3, 0.10, 0.06})[1], 1.4e6, 1.0);
   EXPECT_NEAR(made({"gain drift", -0.2, 0.0, 0.15})[3], 3.2e6, 1.0);
+  EXPECT_NEAR(made({"zero jump", -0.2, 0.12, 0.0})[1], 2e6, 1.0);
+  EXPECT_NEAR(made({"zero jump", -0.2, 0.12, 0.0})[2], 2.5e6, 1.0);
   EXPECT_EQ(made({"stuck", 1.0, 0.09, 0.07}), (std::vector<double>{1e6, 1e6, 1e6, 4e6}));
   for (const double q : made({"zero offset", -5.0, 0.0, 0.1})) EXPECT_GT(q, 0.0);
   EXPECT_THROW((void)made({"ghost", 0.0, 0.0, 0.0}), std::invalid_argument);
@@ -197,6 +199,8 @@ TEST(OutsideEffect, IsJudgedAsTheCataloguesOnceThatHasIt) {
   Truth truth{1, {}, OutsideEffect{"zero drift", 0.1, 0.0, 0.1}, {}, {}};
   EXPECT_EQ(truth.kind(), "single");
   EXPECT_EQ(catalogued(*truth.outside), solver::find_mechanism("zero_drift"));
+  truth.outside->kind = "gain drift";
+  EXPECT_EQ(catalogued(*truth.outside), solver::find_mechanism("gain_drift"));
   truth.outside->kind = "stone";
   EXPECT_EQ(truth.kind(), "outside");
 }

@@ -37,6 +37,13 @@ TEST(Axis, TicksStayInsideAndNearTheWantedNumber) {
     }
 }
 
+TEST(Axis, ThereAreNoTicksWhereADoubleCannotTellThemApart) {
+  EXPECT_TRUE(ticks(0.0, 1e-320, 5).empty());
+  EXPECT_TRUE(ticks(2.0, 2.0, 5).empty());
+  EXPECT_TRUE(ticks(1e18, 1e18 + 256.0, 5).empty());
+  EXPECT_FALSE(ticks(1e6, 1e6 + 1e-3, 5).empty());
+}
+
 TEST(Axis, RangeWithoutWidthIsOpened) {
   EXPECT_EQ(widened(0.0, 10.0, 0.1).low, -1.0);
   EXPECT_EQ(widened(0.0, 10.0, 0.1).high, 11.0);

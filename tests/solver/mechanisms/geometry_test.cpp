@@ -27,12 +27,13 @@ TEST(LoadCell, ReadsOtherwiseWhatThePushIs) {
   const Outcome plain = run(setup);
   setup.mechanisms.zero_offset.offset = -20e3;
   setup.mechanisms.zero_drift.at_end = 60e3;
+  setup.mechanisms.gain_drift.at_end = 0.1;
   const Outcome read = run(setup);
   EXPECT_EQ(plain.profile.f_s, read.profile.f_s);
   EXPECT_EQ(plain.profile.depth, read.profile.depth);
   for (std::size_t k = 0; k < plain.profile.depth.size(); ++k)
-    EXPECT_DOUBLE_EQ(read.profile.q_c[k],
-                     plain.profile.q_c[k] + (-20e3 + 60e3 * plain.profile.depth[k] / 0.04));
+    EXPECT_DOUBLE_EQ(read.profile.q_c[k], plain.profile.q_c[k] * (1.0 + 0.1 * plain.profile.depth[k] / 0.04) +
+                                              (-20e3 + 60e3 * plain.profile.depth[k] / 0.04));
 }
 
 // What the diagnosis relies on: the reading of a stored push equals a push that was read so.

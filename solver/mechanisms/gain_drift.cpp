@@ -1,0 +1,23 @@
+#include "solver/mechanisms/gain_drift.hpp"
+
+#include "solver/mechanisms/mechanism.hpp"
+#include "solver/quantity_builders.hpp"
+
+namespace cpt::solver {
+
+Mechanism gain_drift_mechanism() {
+  return {"gain_drift",
+          "a load cell whose gain drifts",
+          "q_recorded = q_c (1 + drift z / z_final)",
+          "ISO 22476-1 (2012), Table 2: q_c to 5 % of the reading; the range is of a cell four times worse",
+          "q_c differs by a share of itself that grows linearly with depth, from nothing at the top.",
+          any_soil,
+          false,
+          {{number<&Setup::mechanisms, &Mechanisms::gain_drift, &GainDrift::at_end>(
+                "gain_drift.at_end", "δ_end", none, -0.9, 5.0, any_soil,
+                "recorded over true q_c at the final depth, less 1", "ISO 22476-1"),
+            -0.2, 0.2}},
+          true};
+}
+
+}  // namespace cpt::solver
