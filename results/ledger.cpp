@@ -206,9 +206,8 @@ Ledger Ledger::open_for_run(const parameters::Study& study,
     Opened& opened = ledger.state_->opened;
     opened.kept = saved;
     opened.pending -= saved;
-    opened.messages.push_back(
-        fmt::format("the database was damaged and is kept as {}; {} of its realizations are saved",
-                    aside.string(), saved));
+    opened.messages.push_back(fmt::format(
+        "the database was damaged and is kept as {}; realizations saved from it: {}", aside.string(), saved));
     return ledger;
   }
 }
