@@ -61,8 +61,7 @@ page::DiagnosisInput diagnosis_input(const Request& request, const std::vector<S
   input.recorded = assembled.problem.recorded(diagnosis.rows);
   input.baseline = assembled.problem.baseline(diagnosis.rows);
   input.noise = {request.measurement > 0.0, static_cast<int>(assembled.problem.repeats.cols()),
-                 assembled.problem.numerical_shares,
-                 static_cast<int>(assembled.problem.joint_residuals.cols())};
+                 assembled.problem.numerical_shares, static_cast<int>(assembled.problem.joint.curves.cols())};
   for (const MechanismDesign& design : assembled.mechanisms) input.mechanisms.push_back(facts_of(design));
   for (const ParameterEffect& effect : assembled.problem.parameters)
     for (const parameters::Row& row : soundings.front().study.study.rows)

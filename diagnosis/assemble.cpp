@@ -233,26 +233,27 @@ class Assembler {
   void take_joint() {
     const SoundingStudy& first = soundings_.front().study;
     std::vector<std::size_t> kept;
-    const MatrixXd runs = points(first.design.first_joint, first.design.joint, kept);
-    made_.problem.joint_residuals.resize(runs.rows(), runs.cols());
-    if (runs.cols() == 0) return;
-    for (Index k = 0; k < runs.cols(); ++k)
-      made_.problem.joint_residuals.col(k) =
-          runs.col(k) - additive_at(first.design.first_joint + kept[static_cast<std::size_t>(k)]);
+    JointRuns& joint = made_.problem.joint;
+    joint.curves = points(first.design.first_joint, first.design.joint, kept);
+    joint.places.resize(joint.curves.cols(), static_cast<Index>(made_.problem.parameters.size()));
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      joint.places.row(static_cast<Index>(k)) = place_of(first.design.first_joint + kept[k]).transpose();
+    surface_.emplace(made_.problem.baseline, made_.problem.parameters, joint);
   }
 
-  // What the soil's parameters of a point would make of the baseline, one by one.
-  VectorXd additive_at(std::size_t point) {
-    const AdditiveModel model(made_.problem.baseline, made_.problem.parameters);
-    VectorXd t = model.baseline_place();
+  // Where a point has the soil's parameters, each between its bounds.
+  VectorXd place_of(std::size_t point) const {
+    const std::vector<ParameterEffect>& effects = made_.problem.parameters;
+    VectorXd t(static_cast<Index>(effects.size()));
+    for (std::size_t j = 0; j < effects.size(); ++j) t(static_cast<Index>(j)) = effects[j].baseline;
     for (const SoundingData& data : soundings_)
       for (const parameters::Change& change : data.study.study.points[point].changes)
         for (const parameters::Row& row : data.study.study.rows)
           for (Index j = 0; j < t.size(); ++j)
             if (row.quantity == change.quantity &&
-                row.quantity->name == model.names()[static_cast<std::size_t>(j)])
+                row.quantity->name == effects[static_cast<std::size_t>(j)].name)
               t(j) = (change.value - row.lower) / (row.upper - row.lower);
-    return model.predict(t);
+    return t;
   }
 
   void take_mechanisms() {
@@ -332,7 +333,7 @@ class Assembler {
     for (Index k = 0; k < effect.joint_delta.cols(); ++k) {
       const std::size_t run = kept[static_cast<std::size_t>(k)];
       effect.joint_design.row(k) = design.joint_unit.row(static_cast<Index>(run));
-      effect.joint_delta.col(k) -= additive_at(design.first_joint + run);
+      effect.joint_delta.col(k) -= surface_->predict(place_of(design.first_joint + run));
     }
   }
 
@@ -357,6 +358,7 @@ class Assembler {
   Measured measured_;
   std::vector<SoundingGrid> grids_;
   std::vector<Curves> curves_;
+  std::optional<ResponseSurface> surface_;  // of the soil's parameters
   Assembled made_;
 };
 

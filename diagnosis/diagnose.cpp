@@ -19,7 +19,7 @@ MatrixXd kept_rows(const MatrixXd& curves, const std::vector<Index>& rows) {
 
 // The problem on the cells where every curve has a value.
 Problem complete(const Problem& problem, std::vector<Index>& rows) {
-  std::vector<MatrixXd> curves{problem.recorded, problem.baseline, problem.repeats, problem.joint_residuals};
+  std::vector<MatrixXd> curves{problem.recorded, problem.baseline, problem.repeats, problem.joint.curves};
   for (const ParameterEffect& p : problem.parameters)
     for (const VectorXd* y : {&p.lower, &p.upper})
       if (y->size() > 0) curves.emplace_back(*y);
@@ -37,7 +37,7 @@ Problem complete(const Problem& problem, std::vector<Index>& rows) {
   result.recorded = kept(problem.recorded, rows);
   result.baseline = kept(problem.baseline, rows);
   result.repeats = kept_rows(problem.repeats, rows);
-  result.joint_residuals = kept_rows(problem.joint_residuals, rows);
+  result.joint.curves = kept_rows(problem.joint.curves, rows);
   for (ParameterEffect& p : result.parameters) {
     p.lower = kept(p.lower, rows);
     p.upper = kept(p.upper, rows);
@@ -54,12 +54,12 @@ NoiseModel measurement_noise(const Problem& problem, const Options& options) {
                              : noise_of_high_pass(problem.cells, problem.recorded, options.high_pass);
 }
 
-// Noise, and the error of adding up the parameters' effects.
+// Noise, and the error of the response surface.
 MatrixXd noise(const Problem& problem, const NoiseModel& measurement,
-               const std::optional<ShrunkCovariance>& numerical) {
+               const std::optional<ShrunkCovariance>& numerical, const ResponseSurface& surface) {
   MatrixXd sigma = noise_covariance(problem.cells, measurement);
   if (numerical) sigma += problem.numerical_shares * numerical->covariance;
-  return sigma + low_rank_plus_diagonal(problem.joint_residuals);
+  return sigma + low_rank_plus_diagonal(surface.left_out());
 }
 
 VectorXd prior_of(std::size_t mechanisms, const Options& options) {
@@ -191,8 +191,9 @@ Prepared prepare(const Problem& given, const Options& options) {
   const NoiseModel measurement = measurement_noise(problem, options);
   std::optional<ShrunkCovariance> numerical;
   if (problem.repeats.cols() > 0) numerical = covariance_of_repeats(problem.cells, problem.repeats);
-  NullModel null =
-      null_model(AdditiveModel(problem.baseline, problem.parameters), noise(problem, measurement, numerical));
+  ResponseSurface surface(problem.baseline, problem.parameters, problem.joint);
+  MatrixXd sigma = noise(problem, measurement, numerical, surface);
+  NullModel null = null_model(std::move(surface), std::move(sigma));
   std::vector<CurveEmulator> emulators;
   for (const MechanismEffect& effect : problem.mechanisms) emulators.emplace_back(effect);
   return {std::move(problem),   std::move(rows), measurement,

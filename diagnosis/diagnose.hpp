@@ -18,8 +18,8 @@ struct Problem {
   VectorXd recorded;                        // n [ln q_c]
   VectorXd baseline;                        // n
   std::vector<ParameterEffect> parameters;  ///< one-at-a-time runs
-  MatrixXd repeats;          // n x 3 or more: the baseline with other seeds, meshes, time steps; or n x 0
-  MatrixXd joint_residuals;  // n x runs: run at joint parameters minus additive prediction; or n x 0
+  MatrixXd repeats;  // n x 3 or more: the baseline with other seeds, meshes, time steps; or n x 0
+  JointRuns joint;   ///< runs with several parameters changed; may be none
   std::vector<MechanismEffect> mechanisms;
   std::optional<NoiseModel> measurement;  ///< if none: from the recording's high-pass part
   double numerical_shares = 1.0;  ///< of the repeats' covariance: 1 for the baseline's own scatter; 2 if the

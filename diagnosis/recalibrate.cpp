@@ -22,7 +22,7 @@ VectorXd box_minimum(const MatrixXd& A, const VectorXd& g, const VectorXd& lower
 }
 
 // `free` is the box of each parameter; a closed one (lower = upper) is held.
-VectorXd minimize(const AdditiveModel& model, const VectorXd& y, const Whitener& sigma, VectorXd t,
+VectorXd minimize(const ResponseSurface& model, const VectorXd& y, const Whitener& sigma, VectorXd t,
                   const VectorXd& lower, const VectorXd& upper) {
   VectorXd rest = sigma.whiten(y - model.predict(t));
   for (int iteration = 0; iteration < 50; ++iteration) {
@@ -45,7 +45,7 @@ VectorXd minimize(const AdditiveModel& model, const VectorXd& y, const Whitener&
 
 }  // namespace
 
-Recalibration recalibrate(const AdditiveModel& model, const VectorXd& y, const Whitener& sigma) {
+Recalibration recalibrate(const ResponseSurface& model, const VectorXd& y, const Whitener& sigma) {
   const Index p = model.parameters();
   Recalibration result;
   result.place = model.baseline_place();

@@ -17,8 +17,8 @@ namespace cpt::reports::diagnosed {
 /// if no sounding has one.
 [[nodiscard]] std::optional<VectorXd> solver_in_cells(const DiagnosisInput& input);
 
-/// Standard deviation of the noise in each cell [ln q_c]: measurement and numerical, without the additive
-/// model's error.
+/// Standard deviation of the noise in each cell [ln q_c]: measurement and numerical, without the response
+/// surface's error.
 [[nodiscard]] VectorXd noise_deviation(const DiagnosisInput& input);
 
 }  // namespace cpt::reports::diagnosed

@@ -76,9 +76,9 @@ std::string noise_table(const DiagnosisInput& input) {
                         fmt::format("{}; weight of this fit {}, share {}", describe(d.numerical->target),
                                     decimals(d.numerical->weight, 2), brief(input.noise.numerical_shares)),
                         fmt::format("{} repeats of the baseline", input.noise.repeats)});
-  text +=
-      table_line({"error of adding the parameters' effects", input.noise.joint_runs > 0 ? "low rank" : "none",
-                  fmt::format("{} runs at joint parameters", input.noise.joint_runs)});
+  text += table_line({"error of the response surface of the parameters",
+                      input.noise.joint_runs > 0 ? "low rank" : "none",
+                      fmt::format("{} runs at joint parameters", input.noise.joint_runs)});
   return text + "\n";
 }
 

@@ -52,7 +52,7 @@ struct NoiseFacts {
   bool measurement_given = false;  ///< else from the recording's high-pass part
   int repeats = 0;                 ///< of the baseline
   double numerical_shares = 1.0;   ///< of the repeats' covariance
-  int joint_runs = 0;              ///< behind the additive model's error
+  int joint_runs = 0;              ///< behind the response surface's products and error
 };
 
 struct SourceFile {

@@ -26,7 +26,7 @@ Problem problem(std::uint64_t seed, const VectorXd& missing) {
   const VectorXd own = draw(scatter, seed, 1);
   Random random(seed, 2);
   const Eigen::Vector2d theta(random.uniform(), random.uniform());
-  p.recorded = AdditiveModel(toy::baseline(p.cells), toy::parameters(p.cells)).predict(theta) +
+  p.recorded = ResponseSurface(toy::baseline(p.cells), toy::parameters(p.cells)).predict(theta) +
                draw(noise_covariance(p.cells, measured), seed, 3) + missing;
   p.baseline = toy::baseline(p.cells) + own;
   p.parameters = toy::parameters(p.cells);
@@ -37,7 +37,6 @@ Problem problem(std::uint64_t seed, const VectorXd& missing) {
   p.repeats.resize(60, 8);
   for (Index k = 0; k < 8; ++k)
     p.repeats.col(k) = toy::baseline(p.cells) + draw(scatter, seed, 10 + static_cast<std::uint64_t>(k));
-  p.joint_residuals = MatrixXd(60, 0);
   p.mechanisms = {toy::top(p.cells, 24), toy::lens(p.cells, 40), toy::drift(p.cells, 10),
                   toy::scaling(p.cells, 10)};
   p.measurement = measured;

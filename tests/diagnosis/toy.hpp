@@ -40,7 +40,7 @@ inline std::vector<ParameterEffect> parameters(const std::vector<Cell>& cells) {
 }
 
 inline NullModel null(const std::vector<Cell>& cells) {
-  return null_model(AdditiveModel(baseline(cells), parameters(cells)), noise_covariance(cells, noise));
+  return null_model(ResponseSurface(baseline(cells), parameters(cells)), noise_covariance(cells, noise));
 }
 
 // The sequence of van der Corput: evenly spread over [0, 1).
