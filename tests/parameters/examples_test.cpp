@@ -47,7 +47,7 @@ TEST(Examples, HaveTheirRealizations) {
   expect_study("designs/pairs.toml", Profile::homogeneous_sand, Preset::quick, 7 + 13 + 6);
   // Six of the 30 runs of its trajectories are runs that the study or another trajectory has.
   expect_study("designs/morris.toml", Profile::homogeneous_sand, Preset::quick, 7 + 6 * 5 - 6);
-  expect_study("diagnosis/compacted_truth.toml", Profile::homogeneous_sand, Preset::quick, 1);
+  expect_study("diagnosis/compacted_truth.toml", Profile::homogeneous_sand, Preset::quick, 2);
   expect_study("diagnosis/dense.toml", Profile::homogeneous_sand, Preset::quick, 9);
   expect_study("diagnosis/second_push_shares.toml", Profile::homogeneous_sand, Preset::quick, 6 + 4);
   expect_study("diagnosis/deltares.toml", Profile::layered_sand_clay, Preset::quick, 12);
