@@ -208,14 +208,6 @@ MatrixXd ResponseSurface::prior_factors() const {
          principal.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
-ResponseSurface ResponseSurface::rows(const std::vector<Index>& kept) const {
-  ResponseSurface surface = *this;
-  surface.baseline_ = baseline_(kept);
-  surface.coefficients_ = coefficients_(kept, Eigen::all);
-  surface.left_out_ = left_out_(kept, Eigen::all);
-  return surface;
-}
-
 ResponseSurface ResponseSurface::widened(double width) const {
   ResponseSurface surface = *this;
   const auto by = [&](Index j) { return two_valued(j) ? 1.0 : width; };

@@ -59,8 +59,6 @@ class ResponseSurface {
   [[nodiscard]] VectorXd prior_mean() const;
   /// F with Cov y = F F^T over the prior, exact; a column for each s_j and each s_i s_j.
   [[nodiscard]] MatrixXd prior_factors() const;
-  /// The surface on some of its cells.
-  [[nodiscard]] ResponseSurface rows(const std::vector<Index>& kept) const;
   /// The surface with every range `width` times as wide about its baseline; choices stay.
   [[nodiscard]] ResponseSurface widened(double width) const;
 

@@ -110,5 +110,23 @@ TEST(ReadRequest, TheExampleIsSound) {
       std::holds_alternative<parameters::Study>(parameters::read_study(folder / "compacted_truth.toml")));
 }
 
+TEST(ReadRequest, TheExampleWithTwoSoundingsIsSound) {
+  const std::filesystem::path file = CPT_EXAMPLES "/diagnosis/compacted_two.toml";
+  std::ifstream stream(file);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  auto study = parameters::read_study(study_of_request(text, file));
+  ASSERT_TRUE(std::holds_alternative<parameters::Study>(study));
+  const auto parsed = parse_request(text, file, std::get<parameters::Study>(study));
+  ASSERT_TRUE(std::holds_alternative<Request>(parsed));
+  const Request& request = std::get<Request>(parsed);
+  ASSERT_EQ(request.soundings.size(), 2U);
+  EXPECT_EQ(request.soundings[1].changes.size(), 2U);
+  for (const SoundingRequest& sounding : request.soundings) {
+    const auto recording = recordings::read_recording(sounding.recording, sounding.options);
+    ASSERT_TRUE(std::holds_alternative<recordings::Recording>(recording));
+    EXPECT_GT(std::get<recordings::Recording>(recording).readings.size(), 500U);
+  }
+}
+
 }  // namespace
 }  // namespace cpt::diagnosis
