@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <new>
 
 #include "solver/actual_setup.hpp"
@@ -115,7 +116,8 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
   outcome.material_points = model.points().size();
   const double speed = setup.penetrometer.speed, final_depth = setup.penetrometer.final_depth;
   const double first_depth = model.mesh().tip_depth();
-  double depth = first_depth, last_report = 0.0, first_step = 0.0;
+  double depth = first_depth, first_step = 0.0;
+  double last_report = -std::numeric_limits<double>::infinity();  // the first one is due at once
   double earlier_seconds =
       before.wall_seconds;  // of the pushes before, and of this one before it was resumed
   const auto wall_seconds = [&] { return earlier_seconds + seconds_since(start); };

@@ -67,7 +67,7 @@ struct Progress {
 class Observer {
  public:
   virtual ~Observer() = default;
-  /// About ten times a second.
+  /// After the first few steps, then about ten times a second.
   virtual void progress(const Progress&) {}
   /// Polled as often as `progress`; true ends the run with Status::time_limit and this reason.
   virtual bool stop_requested(std::string& /*reason*/) { return false; }

@@ -8,10 +8,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <thread>
 
 namespace cpt::tests {
 namespace {
@@ -119,6 +121,27 @@ bool alive(pid_t pid) {
   const std::string status = read_file("/proc/" + std::to_string(pid) + "/stat");
   const auto end_of_name = status.rfind(')');
   return end_of_name != std::string::npos && status.at(end_of_name + 2) != 'Z';
+}
+
+bool eventually(const std::function<bool()>& condition) {
+  for (int i = 0; i < 30'000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+double haste() {
+  const char* value = std::getenv("CPT_TEST_HASTE");
+  return value != nullptr ? std::stod(value) : 1.0;
+}
+
+std::string hurried(const std::string& study) {
+  if (haste() == 1.0) return study;
+  const std::string heading = "[fixed]\n";
+  const auto end = study.find(heading) + heading.size();
+  return study.substr(0, end) + "\"penetrometer.speed_m_per_s\" = " + std::to_string(0.04 * haste()) + "\n" +
+         study.substr(end);
 }
 
 StudyFolder::StudyFolder() {

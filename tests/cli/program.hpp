@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,16 @@ class Background {
 
 /// True while the process exists and has not ended; one that nobody has waited for has ended too.
 [[nodiscard]] bool alive(pid_t pid);
+
+/// Waits for a condition. The limit only ends a test that has failed: no machine is so slow.
+[[nodiscard]] bool eventually(const std::function<bool()>& condition);
+
+/// How many times shorter realizations are to be than they are made for, from CPT_TEST_HASTE (1): what a
+/// faster machine would make of them. The stand-in divides its duration by it; real pushes are so many times
+/// faster.
+[[nodiscard]] double haste();
+/// A study of real pushes that has a section [fixed], hurried by so much.
+[[nodiscard]] std::string hurried(const std::string& study);
 
 /// An empty folder of its own with a study of six realizations in it; removed at the end.
 class StudyFolder {

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
-#include <thread>
+#include <algorithm>
 
 #include "tests/cli/program.hpp"
 
@@ -28,28 +27,11 @@ from_m = 0.0235
 to_m = 0.0255
 )";
 
-// Seconds a push, so that a signal finds one under way.
-constexpr const char* some_centimetres = R"(title = "Some centimetres"
-profile = "homogeneous_sand"
-preset = "quick"
-
-[fixed]
-"penetrometer.final_depth_m" = 0.05
-
-[parameters]
-"sand.D_r_percent" = { baseline = 36, upper = 46 }
-
-[[windows]]
-name = "start"
-from_m = 0.0235
-to_m = 0.05
-)";
-
 // Everything in the database but times, after the campaign has been run by this command.
 std::string database_of(const StudyFolder& folder) { return contents(folder.file("push.sqlite")); }
 
-std::string run_undisturbed(const StudyFolder& folder, const char* study = few_millimetres) {
-  folder.write("push.toml", study);
+std::string run_undisturbed(const StudyFolder& folder) {
+  folder.write("push.toml", hurried(few_millimetres));
   const Result result = run(campaign({folder.file("push.toml"), "--slots", "1"}));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   return database_of(folder);
@@ -61,7 +43,7 @@ TEST(RealSolver, RanksAndThreadsDoNotChangeABitAndRerunAgrees) {
   ASSERT_NE(expected.find("chamber.wall"), std::string::npos);
   for (const char* threads : {"1", "2"}) {
     const StudyFolder folder;
-    folder.write("push.toml", few_millimetres);
+    folder.write("push.toml", hurried(few_millimetres));
     const Result result = run(mpirun(2, {folder.file("push.toml"), "--threads", threads, "--slots", "2"}));
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(database_of(folder), expected) << threads << " threads";
@@ -74,32 +56,40 @@ TEST(RealSolver, RanksAndThreadsDoNotChangeABitAndRerunAgrees) {
   EXPECT_TRUE(std::filesystem::exists(one.file("push-report/index.html")));
 }
 
+// Variables that hold every push half way down until the gate opens.
+std::vector<std::string> gated(const StudyFolder& folder) {
+  return {"CPT_GATE_DEPTH_m=0.0245", "CPT_GATE=" + folder.file("gate"),
+          "CPT_GATE_LOG=" + folder.file("arrivals")};
+}
+// True once so many pushes have come to the gate.
+bool arrived(const StudyFolder& folder, std::ptrdiff_t pushes) {
+  return eventually([&] {
+    const std::string log = folder.read("arrivals");
+    return std::count(log.begin(), log.end(), '\n') == pushes;
+  });
+}
+
 TEST(RealSolver, KilledCampaignResumesToTheSameBits) {
   const StudyFolder undisturbed, folder;
   const std::string expected = run_undisturbed(undisturbed);
-  folder.write("push.toml", few_millimetres);
-  const Command command = mpirun(2, {folder.file("push.toml"), "--slots", "1"});
+  folder.write("push.toml", hurried(few_millimetres));
+  const Command command = mpirun(2, {folder.file("push.toml"), "--slots", "1", "--executor", GATED_PUSH});
+  std::ptrdiff_t arrivals = 0;
   for (const std::size_t victim : {0U, 1U}) {  // master, worker
-    Background job(command, {});
-    for (int i = 0; i < 500; ++i) {  // until both ranks run a realization
-      const auto ranks = children_of(job.pid());
-      if (ranks.size() == 2 && !children_of(ranks[0]).empty() && !children_of(ranks[1]).empty()) break;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
+    Background job(command, gated(folder));
+    ASSERT_TRUE(arrived(folder, arrivals += 2));  // both ranks run one
     const std::vector<pid_t> ranks = children_of(job.pid());
     ASSERT_EQ(ranks.size(), 2U);
     ASSERT_EQ(::kill(ranks[victim], SIGKILL), 0);
     EXPECT_NE(job.wait().exit_code, 0);
   }
   // A realization's own process: it alone is lost, and run again when asked.
-  Background job(campaign({folder.file("push.toml"), "--slots", "1"}), {});
-  std::vector<pid_t> running;
-  for (int i = 0; i < 500 && running.empty(); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    running = children_of(job.pid());
-  }
-  ASSERT_FALSE(running.empty());
-  ASSERT_EQ(::kill(running.front(), SIGKILL), 0);
+  Background job(campaign({folder.file("push.toml"), "--slots", "1", "--executor", GATED_PUSH}),
+                 gated(folder));
+  ASSERT_TRUE(arrived(folder, arrivals += 1));
+  ASSERT_EQ(children_of(job.pid()).size(), 1U);
+  ASSERT_EQ(::kill(children_of(job.pid()).front(), SIGKILL), 0);
+  folder.write("gate", "");
   EXPECT_EQ(job.wait().exit_code, 1);
   const Result resumed = run(mpirun(2, {folder.file("push.toml"), "--retry-failed"}));
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
@@ -108,22 +98,23 @@ TEST(RealSolver, KilledCampaignResumesToTheSameBits) {
 
 TEST(RealSolver, StoppedCampaignGoesOnFromItsCheckpoints) {
   const StudyFolder undisturbed, folder;
-  const std::string expected = run_undisturbed(undisturbed, some_centimetres);
+  const std::string expected = run_undisturbed(undisturbed);
   EXPECT_FALSE(std::filesystem::exists(undisturbed.file("push.checkpoints"))) << "left over";
-  folder.write("push.toml", some_centimetres);
-  const Command command = campaign({folder.file("push.toml"), "--slots", "1", "--threads", "1"});
+  folder.write("push.toml", hurried(few_millimetres));
+  const Command command =
+      campaign({folder.file("push.toml"), "--slots", "1", "--threads", "1", "--executor", GATED_PUSH});
   std::string told;
+  std::ptrdiff_t arrivals = 0;
   for (const int signal : {SIGTERM, SIGUSR1}) {
-    Background job(command, {});
-    for (int i = 0; i < 500 && children_of(job.pid()).empty(); ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    Background job(command, gated(folder));
+    ASSERT_TRUE(arrived(folder, arrivals += 1));
     ASSERT_EQ(::kill(job.pid(), signal), 0);
     const Result result = job.wait();
     EXPECT_EQ(result.exit_code, 128 + signal) << result.err;
     told += result.err;
+    ASSERT_TRUE(std::filesystem::exists(folder.file("push.checkpoints"))) << result.err;
+    EXPECT_FALSE(std::filesystem::is_empty(folder.file("push.checkpoints")));
   }
-  EXPECT_FALSE(std::filesystem::is_empty(folder.file("push.checkpoints")));
   const Result resumed = run(mpirun(2, {folder.file("push.toml"), "--threads", "2"}));
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   told += resumed.err;

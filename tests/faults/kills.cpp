@@ -44,31 +44,29 @@ std::vector<pid_t> find(Victim victim, pid_t launcher, std::mt19937& random) {
   return {running[random() % running.size()]};
 }
 
-// Waits until there are ranks to start, and lets them come somewhat on in it.
-void let_start(pid_t launcher, double longest, std::mt19937& random) {
-  std::ignore = eventually([&] { return children_of(launcher).size() >= 2 || !alive(launcher); });
-  std::uniform_real_distribution<double> moment(0.0, longest);
-  std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
-}
-
 Finding kill_at_random(Victim victim, const std::string& name, Solver solver, int trials, unsigned seed) {
   Finding finding;
   finding.fault =
       fmt::format("kill -9 of {}{}", name, solver == Solver::real ? ", with the solver itself" : "");
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> moment(0.0, 1.5 * undisturbed(solver).seconds);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const double longest = victim == Victim::starting_rank ? longest_start : 1.5 * undisturbed(solver).seconds;
   std::unique_ptr<Trial> trial;
   for (int attempt = 0; finding.trials < trials && attempt < 20 * trials; ++attempt) {
     if (!trial || trial->complete()) trial = std::make_unique<Trial>(solver);
-    const Command command = mpirun(2, trial->arguments({"--slots", "1", "--retry-failed"}));
-    Background job(command, trial->variables());
-    if (victim == Victim::starting_rank)
-      let_start(job.pid(), longest_start, random);
-    else
-      std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
+    const Command command = mpirun(2, trial->gated_arguments({"--slots", "1", "--retry-failed"}));
+    Background job(command, trial->gated_variables(share(random)));
+    std::vector<pid_t> victims;
+    const auto there = [&] {
+      victims = find(victim, job.pid(), random);
+      return !victims.empty() || !alive(job.pid());
+    };
+    std::ignore = eventually(there);
+    std::this_thread::sleep_for(std::chrono::duration<double>(longest * share(random)));
+    std::ignore = eventually(there);
     const std::vector<pid_t> everything = group_of(job.pid());
-    const std::vector<pid_t> victims = find(victim, job.pid(), random);
     for (const pid_t pid : victims) ::kill(pid, SIGKILL);
+    trial->open_gate();  // for those that live on
     if (!eventually([&] { return !alive(job.pid()); })) {
       finding.problems.push_back("mpirun goes on without its ranks");
       for (const pid_t pid : everything) ::kill(pid, SIGKILL);
@@ -80,7 +78,7 @@ Finding kill_at_random(Victim victim, const std::string& name, Solver solver, in
              return true;
            }),
            "processes were left over");
-    Finding unhurt;  // came too early or too late for a victim
+    Finding unhurt;  // a realization was just about to end
     trial->check(victims.empty() || result.exit_code == 0 ? unhurt : finding, result);
     for (const std::string& problem : unhurt.problems) finding.problems.push_back(problem);
     if (const std::string line = line_with(result.err, "killed"); !line.empty()) finding.told = line;

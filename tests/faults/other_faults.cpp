@@ -78,7 +78,7 @@ Finding hung_realization(int trials, unsigned) {
     Trial trial(Solver::stand_in);
     std::vector<std::string> variables = trial.variables();
     variables.emplace_back("CPT_FAKE=sand.H=75:hang");
-    const Result result = run(campaign(trial.arguments({"--hang-limit", "1"})), variables);
+    const Result result = run(campaign(trial.arguments({"--hang-limit", "10"})), variables);
     trial.check(finding, result);
     expect(finding, result.exit_code == 1, fmt::format("exit code {}", result.exit_code));
     finding.told = line_with(result.err, "hung");
@@ -125,20 +125,16 @@ Finding memory_limit(int trials, unsigned) {
 Finding time_limit(int trials, unsigned seed) {
   Finding finding{.fault = "a batch system's time limit: SIGUSR1 or SIGTERM to mpirun or to all processes"};
   std::mt19937 random(seed);
-  for (int attempt = 0; finding.trials < trials && attempt < 10 * trials; ++attempt) {
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  constexpr int stops_each = 2;  // of a campaign before it is let run to its end
+  while (finding.trials < trials) {
     Trial trial(Solver::real);
-    for (int stop = 0; stop < 20 && !trial.complete(); ++stop) {
-      Background job(mpirun(2, trial.arguments({"--slots", "1"})), trial.variables());
-      expect(finding, eventually([&] {
-               if (!alive(job.pid())) return true;
-               for (const pid_t rank : children_of(job.pid()))
-                 if (!children_of(rank).empty()) return true;
-               return false;
-             }),
+    for (int stop = 0; stop < stops_each && finding.trials < trials; ++stop) {
+      Background job(mpirun(2, trial.gated_arguments({"--slots", "1"})),
+                     trial.gated_variables(share(random)));
+      expect(finding, eventually([&] { return trial.at_gate() || !alive(job.pid()); }),
              "nothing was started");
-      std::this_thread::sleep_for(std::chrono::duration<double>(
-          std::uniform_real_distribution<double>(0.0, 0.5 * undisturbed(Solver::real).seconds)(random)));
-      const int signal = random() % 2 == 0 ? SIGUSR1 : SIGTERM;
+      const int signal = stop == 0 ? SIGUSR1 : SIGTERM;
       std::vector<pid_t> all{job.pid()};
       if (random() % 2 == 0)
         for (const pid_t rank : children_of(job.pid())) {
@@ -147,8 +143,8 @@ Finding time_limit(int trials, unsigned seed) {
         }
       for (const pid_t pid : all) ::kill(pid, signal);
       const Result result = job.wait();
-      if (result.exit_code == 0) continue;  // it was done before the signal
-      if (finding.trials < trials) trial.check(finding, result);
+      expect(finding, result.exit_code != 0, "it ended before the signal");
+      trial.check(finding, result);
       if (const std::string line = line_with(result.err, "keeps its state"); !line.empty())
         finding.told = line;
     }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <random>
-#include <thread>
 
 #include "tests/faults/trial.hpp"
 
@@ -180,30 +179,25 @@ Finding damaged_curves(int trials, unsigned seed) {
 Finding damaged_checkpoint(int trials, unsigned seed) {
   Finding finding{.fault = "a checkpoint (HDF5) is cut short, has a bit flipped or is another file"};
   std::mt19937 random(seed);
-  for (int attempt = 0; finding.trials < trials && attempt < 5 * trials; ++attempt) {
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  while (finding.trials < trials) {
     Trial trial(Solver::real);
-    Background job(campaign(trial.arguments({"--slots", "1"})), trial.variables());
-    const std::string checkpoints = trial.folder().file("faults.checkpoints");
-    const auto files = [&] {
-      std::vector<std::filesystem::path> found;
-      std::error_code missing;
-      for (const auto& entry : std::filesystem::directory_iterator(checkpoints, missing))
-        if (entry.path().extension() == ".h5") found.push_back(entry.path());
-      return found;
-    };
-    expect(finding, eventually([&] { return !files().empty(); }), "no checkpoint was written");
-    ::kill(job.pid(), SIGTERM);
+    Background job(campaign(trial.gated_arguments({"--slots", "1"})), trial.gated_variables(share(random)));
+    expect(finding, eventually([&] { return trial.at_gate() || !alive(job.pid()); }), "no push was started");
+    ::kill(job.pid(), SIGTERM);  // it keeps its state and ends
     trial.check(finding, job.wait());
-    if (files().empty()) {  // it finished just before
-      --finding.trials;
-      continue;
-    }
-    for (const auto& file : files()) {
+    const std::string checkpoints = trial.folder().file("faults.checkpoints");
+    std::vector<std::filesystem::path> files;
+    std::error_code missing;
+    for (const auto& entry : std::filesystem::directory_iterator(checkpoints, missing))
+      if (entry.path().extension() == ".h5") files.push_back(entry.path());
+    expect(finding, !files.empty(), "no checkpoint was written");
+    for (const auto& file : files) {
       const std::string name = "faults.checkpoints/" + file.filename().string();
       const std::string good = trial.folder().read(name);
-      const std::string bad = attempt % 3 == 0   ? flip_bit(good, random)
-                              : attempt % 3 == 1 ? good.substr(0, 1 + random() % (good.size() - 1))
-                                                 : std::string("another file");
+      const std::string bad = finding.trials % 3 == 0   ? flip_bit(good, random)
+                              : finding.trials % 3 == 1 ? good.substr(0, 1 + random() % (good.size() - 1))
+                                                        : std::string("another file");
       write_bytes(trial, name, bad);
     }
     const Result result = run(campaign(trial.arguments()), trial.variables());

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <sstream>
-#include <thread>
 
 #include "results/provenance.hpp"
 #include "results/snapshot.hpp"
@@ -64,7 +64,7 @@ Undisturbed run_undisturbed(Solver solver) {
 }  // namespace
 
 Trial::Trial(Solver solver) : solver_(solver) {
-  folder_.write("faults.toml", solver == Solver::real ? real_study : stand_in_study);
+  folder_.write("faults.toml", solver == Solver::real ? hurried(real_study) : stand_in_study);
 }
 
 std::vector<std::string> Trial::arguments(std::vector<std::string> more) const {
@@ -76,9 +76,29 @@ std::vector<std::string> Trial::arguments(std::vector<std::string> more) const {
   return words;
 }
 
+std::vector<std::string> Trial::gated_arguments(std::vector<std::string> more) const {
+  if (solver_ == Solver::real) more.insert(more.end(), {"--executor", GATED_PUSH});
+  return arguments(std::move(more));  // the stand-in has a gate of its own
+}
+
 std::vector<std::string> Trial::variables() const {
   return {"CPT_FAKE_LOG=" + folder_.file("log"), "CPT_FAKE_SECONDS=0.05", "OMP_NUM_THREADS=1"};
 }
+
+std::vector<std::string> Trial::gated_variables(double place) const {
+  std::filesystem::remove(folder_.file("gate"));
+  std::filesystem::remove(folder_.file("arrivals"));
+  std::vector<std::string> all = variables();
+  for (const char* gate : {"CPT_GATE=", "CPT_FAKE_GATE="}) all.push_back(gate + folder_.file("gate"));
+  all.push_back("CPT_GATE_LOG=" + folder_.file("arrivals"));
+  all.push_back(fmt::format("CPT_GATE_DEPTH_m={:.6f}", 0.0226 + 0.0036 * place));
+  all.emplace_back("CPT_FAKE=contact.friction_ratio=0.9:wait");
+  return all;
+}
+
+void Trial::open_gate() const { folder_.write("gate", ""); }
+
+bool Trial::at_gate() const { return !folder_.read("arrivals").empty(); }
 
 void Trial::check(Finding& finding, const Result& result) {
   ++finding.trials;
@@ -160,14 +180,6 @@ std::string line_with(const std::string& text, const std::string& part) {
 
 void expect(Finding& finding, bool condition, const std::string& problem) {
   if (!condition) finding.problems.push_back(problem);
-}
-
-bool eventually(const std::function<bool()>& condition) {
-  for (int i = 0; i < 6000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
 }
 
 }  // namespace cpt::tests

@@ -1,7 +1,6 @@
 // A campaign that is disturbed, and the books on what it had finished before.
 #pragma once
 
-#include <chrono>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,8 +19,17 @@ class Trial {
 
   /// Arguments of `campaign` to run the study.
   [[nodiscard]] std::vector<std::string> arguments(std::vector<std::string> more = {}) const;
+  /// The same with realizations that heed the gate.
+  [[nodiscard]] std::vector<std::string> gated_arguments(std::vector<std::string> more = {}) const;
   /// Environment of a campaign.
   [[nodiscard]] std::vector<std::string> variables() const;
+  /// The same with the gate closed: the last realization waits at it (stand-in) or each one, at a depth of
+  /// the cone that `place` in [0, 1] tells (real), until open_gate or until it is asked to end. So a campaign
+  /// is under way until it is disturbed, however fast the machine.
+  [[nodiscard]] std::vector<std::string> gated_variables(double place) const;
+  void open_gate() const;
+  /// True once a realization has come to the gate since it was closed.
+  [[nodiscard]] bool at_gate() const;
   [[nodiscard]] const StudyFolder& folder() const { return folder_; }
   [[nodiscard]] std::string database() const { return folder_.file("faults.sqlite"); }
 
@@ -43,7 +51,8 @@ class Trial {
   std::size_t log_read_ = 0;                  // bytes of the stand-in's log
 };
 
-/// `contents` of a campaign of this study that nothing happened to; `seconds` that it took.
+/// `contents` of a campaign of this study that nothing happened to; `seconds` that it took, for the spread of
+/// random moments.
 struct Undisturbed {
   std::string contents;
   double seconds;
@@ -55,8 +64,5 @@ struct Undisturbed {
 
 /// Notes a problem unless the condition holds.
 void expect(Finding& finding, bool condition, const std::string& problem);
-
-/// Waits for a condition, 60 s at most.
-[[nodiscard]] bool eventually(const std::function<bool()>& condition);
 
 }  // namespace cpt::tests

@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* program = "/usr/bin/chromium";
-constexpr int patience_ms = 60000;
+constexpr int patience_ms = 300'000;
 
 /// Both ends above 9, so that they do not stand in the way of the two that Chromium wants: 3 and 4.
 std::array<int, 2> make_pipe() {

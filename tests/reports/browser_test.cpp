@@ -73,9 +73,9 @@ class Page : public ::testing::Test {
   json depths_shown() {
     return value("d3.extent(document.querySelector('#profile-plot svg').scale('y').domain)");
   }
-  /// True once an expression is, within 40 s; over a change of page, too.
+  /// True once an expression is, within 5 min; over a change of page, too.
   bool eventually(const std::string& expression) {
-    for (int k = 0; k < 400; ++k) {
+    for (int k = 0; k < 3000; ++k) {
       try {
         if (value(expression) == true) return true;
       } catch (const std::runtime_error&) {

@@ -88,7 +88,7 @@ TEST(Simulate, ARunawayStateEndsTheRunWithAReason) {
 
 TEST(Simulate, WallClockLimitEndsTheRun) {
   Observer observer;
-  const Outcome outcome = simulate(short_push(Profile::homogeneous_sand), observer, {1, 0.05});
+  const Outcome outcome = simulate(short_push(Profile::homogeneous_sand), observer, {1, 0.0});
   EXPECT_EQ(outcome.status, Status::time_limit);
   EXPECT_NE(outcome.reason.find("limit"), std::string::npos);
 }
