@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <fstream>
+#include <iterator>
 #include <random>
 #include <thread>
 
@@ -88,16 +90,35 @@ Finding hung_realization(int trials, unsigned) {
   return finding;
 }
 
-// The least memory [KiB] with which the program starts at all; a little less and libraries hang as they load.
+// 'R', 'S', 'D', ... of /proc/PID/stat; 'Z' once it has ended.
+char state_of(pid_t pid) {
+  std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(stat), {}};
+  const auto end_of_name = text.rfind(')');
+  return end_of_name == std::string::npos ? 'Z' : text.at(end_of_name + 2);
+}
+
+// Whether the program starts with so much memory [KiB]; without an order it ends at once. With a little too
+// little, libraries hang as they load: asleep, while one that is only slow is running or waits for the disk.
+bool starts_with(int limit) {
+  Background job(
+      {"/bin/sh", "-c", fmt::format("ulimit -v {}; exec {} realize 3<&-", limit, campaign({}).front())}, {});
+  for (int asleep = 0; asleep < 200; std::this_thread::sleep_for(std::chrono::milliseconds(10))) {
+    const char state = state_of(job.pid());
+    if (state == 'Z') return job.wait().exit_code == 2;
+    asleep = state == 'S' ? asleep + 1 : 0;
+  }
+  return false;
+}
+
+// The least memory [KiB] with which the program starts at all.
 int memory_to_start() {
-  int limit = 20'000;
-  const auto starts = [&] {
-    const std::string script =
-        fmt::format("ulimit -v {}; exec timeout 5 {} realize 3<&-", limit, campaign({}).front());
-    return run({"/bin/sh", "-c", script}).exit_code == 2;  // without an order it ends
-  };
-  while (!starts() && limit < 1'000'000) limit += 1000;
-  return limit;
+  int too_little = 20'000, enough = 1'000'000;
+  while (enough - too_little > 500) {
+    const int limit = (too_little + enough) / 2;
+    (starts_with(limit) ? enough : too_little) = limit;
+  }
+  return enough;
 }
 
 Finding memory_limit(int trials, unsigned) {
