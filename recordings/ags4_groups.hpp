@@ -19,8 +19,10 @@ struct AgsRow {
 struct AgsGroup {
   std::string name;
   int line = 0;
+  int unit_line = 0;                         ///< 0: it has no UNIT row
   std::vector<std::string> headings, units;  ///< units: empty or as many as headings
   std::vector<AgsRow> rows;
+  std::vector<int> unit_columns;  ///< where the units stand in their line
 
   [[nodiscard]] std::optional<std::size_t> place_of(std::string_view heading) const;
   /// The text under a heading; "" if there is no such heading.
@@ -29,7 +31,8 @@ struct AgsGroup {
 };
 
 [[nodiscard]] std::vector<AgsGroup> read_ags_groups(const std::vector<Line>& lines, Problems& problems);
-/// nullptr if there is none.
-[[nodiscard]] const AgsGroup* find_group(const std::vector<AgsGroup>& groups, std::string_view name);
+/// All of a name, in the file's order: a file joined from several deliveries holds a group more than once.
+[[nodiscard]] std::vector<const AgsGroup*> find_groups(const std::vector<AgsGroup>& groups,
+                                                       std::string_view name);
 
 }  // namespace cpt::recordings

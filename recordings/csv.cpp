@@ -6,8 +6,10 @@
 #include <array>
 #include <optional>
 
+#include "recordings/decimal_mark.hpp"
 #include "recordings/delimited.hpp"
 #include "recordings/units.hpp"
+#include "recordings/unknown_facts.hpp"
 
 namespace cpt::recordings {
 namespace {
@@ -27,6 +29,7 @@ constexpr std::array quantities = {
     Quantity{"speed", Dimension::speed, &Reading::speed},
     Quantity{"time", Dimension::time, &Reading::time},
 };
+constexpr std::array void_words = {"", "nan", "na", "n/a", "#n/a", "<na>", "null", "none"};  // in lower case
 constexpr const char* known_quantities =
     "depth_m, length_m, q_c_MPa, f_s_kPa, u_2_kPa, inclination_deg, speed_mm_per_s, time_s";
 
@@ -38,7 +41,7 @@ struct Meaning {
 std::optional<Meaning> meaning_of(std::string_view name) {
   for (const Quantity& quantity : quantities) {
     if (!name.starts_with(quantity.name) || name.size() <= quantity.name.size() + 1 ||
-        name[quantity.name.size()] != '_')
+        name[quantity.name.size()] != '_' || name.find_first_of(" ([") != name.npos)
       continue;
     if (const auto scale = scale_of(quantity.dimension, name.substr(quantity.name.size() + 1)))
       return Meaning{&quantity, *scale};
@@ -78,14 +81,18 @@ class CsvReader {
       if (text.empty()) continue;
       if (text.front() == '#')
         read_comment(line, trimmed(text.substr(1)));
+      else if (columns_ == 0 && lower_case(text).starts_with("sep=") && text.size() == 5)
+        separator_ = text.back();  // how spreadsheets say it
       else if (columns_ == 0)
-        read_names(line);
+        read_names(line, lines);
       else if (!problems_.any() || !taken_.empty())
         read_row(line);
     }
     if (columns_ == 0)
       problems_.add(0, 0, "no line of column names", "one before the rows",
                     "lines that start with # do not count");
+    mark_.tell(recording_);
+    unknown_.tell(recording_);
   }
 
  private:
@@ -98,16 +105,16 @@ class CsvReader {
     if (key == "date") recording_.date = std::string(text);
     for (const Place& place : places) {
       if (key != place.name) continue;
-      if (const auto value = number(text))
+      if (const auto value = lone_number(text))
         recording_.*(place.place) = *value * place.scale;
       else
-        problems_.add(line.number, column_of(line.text, text), in_quotes(text), "a number (" + key + ")",
-                      number_hint(text));
+        unknown_.add(line.number, key, text);
     }
     recording_.facts.push_back({key, std::string(text), ""});
   }
 
-  void read_names(const Line& line) {
+  void read_names(const Line& line, const std::vector<Line>& lines) {
+    names_ = line;
     for (const char candidate : {';', '\t', ','})
       if (line.text.find(candidate) != line.text.npos) {
         separator_ = candidate;
@@ -125,9 +132,33 @@ class CsvReader {
     };
     const std::string hint = "columns of the file: " + std::string(trimmed(line.text)).substr(0, 200);
     if (!has(&Reading::q_c))
-      problems_.add(line.number, 1, "no column for q_c", "a map entry such as q_c_MPa=NAME", hint);
+      problems_.add(line.number, 1, "no column for q_c" + strange_unit("q_c_", names),
+                    "a map entry such as q_c_MPa=NAME", hint);
     if (!has(&Reading::depth) && !has(&Reading::length))
-      problems_.add(line.number, 1, "no column for the depth", "a map entry such as depth_m=NAME", hint);
+      problems_.add(line.number, 1, "no column for the depth" + strange_unit("depth_", names),
+                    "a map entry such as depth_m=NAME", hint);
+    if (!problems_.any()) hear_decimal_mark(lines);
+  }
+
+  /// Says so where a column is named as a quantity, but with no unit of it.
+  static std::string strange_unit(std::string_view quantity, const std::vector<PlacedText>& names) {
+    for (const PlacedText& name : names)
+      if (name.text.starts_with(quantity)) return ", and no unit of it in " + in_quotes(name.text);
+    return {};
+  }
+
+  void hear_decimal_mark(const std::vector<Line>& lines) {
+    for (const Line& line : lines) {
+      const std::string_view text = trimmed(line.text);
+      // Fields between commas hold commas only in quotes.
+      const bool may_hold = text.find(',') != text.npos && (separator_ != ',' || text.find('"') != text.npos);
+      const bool point = text.find('.') != text.npos;
+      if (line.number <= names_.number || text.starts_with('#') || !(may_hold || point)) continue;
+      Problems told_later("");
+      const std::vector<PlacedText> fields = fields_of(line, separator_, told_later);
+      for (const Taken& taken : taken_)
+        if (taken.column < fields.size()) mark_.hear(trimmed(fields[taken.column].text));
+    }
   }
 
   void take(const Line& line, const std::vector<PlacedText>& names, const std::string& quantity,
@@ -155,43 +186,58 @@ class CsvReader {
     std::string left;
     for (std::size_t i = 0; i < names.size(); ++i)
       if (std::none_of(taken_.begin(), taken_.end(), [&](const Taken& taken) { return taken.column == i; }))
-        left += (left.empty() ? "" : ", ") + names[i].text;
+        left += (left.empty() ? "" : ", ") + (names[i].text.empty() ? "one without a name" : names[i].text);
     if (!left.empty())
       recording_.remarks.push_back({{}, "columns: " + left, "not read", "the column map does not name them"});
   }
 
   void read_row(const Line& line) {
+    if (trimmed(line.text) == trimmed(names_.text))
+      return problems_.add(line.number, 1, "the line of names again", "rows",
+                           "were files joined? take them apart");
     ++recording_.rows_read;
     const std::size_t before = problems_.errors().size();
-    const std::vector<PlacedText> fields = fields_of(line, separator_, problems_);
+    std::vector<PlacedText> fields = fields_of(line, separator_, problems_);
     if (problems_.errors().size() > before) return;
+    // Behind a comma nothing may be the rest of a number that the comma has cut.
+    while (separator_ != ',' && fields.size() > columns_ && fields.back().text.empty()) fields.pop_back();
     if (fields.size() != columns_)
-      return problems_.add(line.number, 1, fmt::format("{} fields", fields.size()),
-                           fmt::format("{}, as in the line of names", columns_),
-                           "is the line cut off, or do its numbers have decimal commas?");
+      return problems_.add(
+          line.number, 1, fmt::format("{} fields", fields.size()),
+          fmt::format("{}, as in the line of names", columns_),
+          fields.size() == columns_ + 1
+              ? "do its numbers have decimal commas, or its rows names without a column name?"
+              : "is the line cut off, or do its numbers have decimal commas?");
     Reading reading;
     reading.line = line.number;
     for (const Taken& taken : taken_) {
-      const std::string_view text = fields[taken.column].text;
-      const std::string lower = lower_case(text);
-      if (text.empty() || lower == "nan" || lower == "na") continue;
-      const auto value = number(text);
-      if (!value) {
-        problems_.add(line.number, fields[taken.column].column, in_quotes(text),
-                      "a number (" + taken.quantity + ")", number_hint(text));
-        continue;
-      }
-      const bool is_void =
-          std::find(options_.voids.begin(), options_.voids.end(), *value) != options_.voids.end();
-      if (!is_void) reading.*(taken.meaning.quantity->place) = *value * taken.meaning.scale;
+      const PlacedText& field = fields[taken.column];
+      const std::string_view text = trimmed(field.text);
+      if (is_void(text)) continue;
+      const auto value = mark_.number(text);
+      if (value)
+        reading.*(taken.meaning.quantity->place) = *value * taken.meaning.scale;
+      else
+        problems_.add(line.number, field.column, in_quotes(text), "a number (" + taken.quantity + ")",
+                      number_hint(text));
     }
     recording_.readings.push_back(reading);
+  }
+
+  [[nodiscard]] bool is_void(std::string_view text) const {
+    if (std::find(void_words.begin(), void_words.end(), lower_case(text)) != void_words.end()) return true;
+    const auto value = mark_.number_of_any_size(text);
+    return value && std::any_of(options_.voids.begin(), options_.voids.end(),
+                                [&](double declared) { return same_void(*value, declared); });
   }
 
   const ReadOptions& options_;
   Recording& recording_;
   Problems& problems_;
   std::vector<Taken> taken_;
+  DecimalMark mark_;
+  UnknownFacts unknown_;
+  Line names_{0, {}};
   std::size_t columns_ = 0;
   char separator_ = ',';
 };

@@ -9,7 +9,7 @@
 // inclination, speed and time; their unit follows: depth_m, length_cm, q_c_MPa, f_s_kPa, u_2_kPa,
 // inclination_deg, speed_mm_per_s, time_s. A column that is named so itself needs no entry. The first line
 // that is no comment names the columns; fields are set apart by semicolons, tabs or commas, whichever the
-// names are. Blank fields, "nan", "NA" and the given voids are void.
+// names are. Blank fields, "nan", "NA", "null" and the given voids are void.
 #pragma once
 
 #include <string>

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include "recordings/clock.hpp"
+#include "recordings/decimal_mark.hpp"
+#include "recordings/unknown_facts.hpp"
 
 namespace cpt::recordings {
 namespace {
@@ -49,10 +52,25 @@ struct Token {
   Field value;
 };
 
+/// Whether a piece without a key goes on with the number before, cut at a comma that is a decimal mark or
+/// sets thousands apart: "QC=3,57".
+bool goes_on_with(const Token& before, const Field& field) {
+  const std::string_view value = before.value.text;
+  return before.key != "F" && before.key != "K" && field.text.front() >= '0' && field.text.front() <= '9' &&
+         field.text.find('=') == field.text.npos && value.data() + value.size() + 1 == field.text.data() &&
+         (before.key == "%" ||
+          number_of_any_size(value.substr(std::min(value.find_last_of(',') + 1, value.size()))));
+}
+
 std::vector<Token> tokens_of(std::string_view line) {
   std::vector<Token> tokens;
   for (const Field& field : split(line, ',')) {
     if (field.text.empty()) continue;
+    if (!tokens.empty() && goes_on_with(tokens.back(), field)) {
+      std::string_view& text = tokens.back().value.text;
+      text = {text.data(), text.size() + 1 + field.text.size()};
+      continue;
+    }
     const bool time = field.text.front() == '%';
     const std::size_t end = time ? 1 : std::min(field.text.find('='), field.text.size());
     const std::string_view key = trimmed(field.text.substr(0, end));
@@ -70,39 +88,65 @@ class GeotechReader {
   GeotechReader(Recording& recording, Problems& problems) : recording_(recording), problems_(problems) {}
 
   void read(const std::vector<Line>& lines) {
-    enum class Where { start, header, data, legend, further } where = Where::start;
+    Where where = Where::start;
     for (const Line& line : lines) {
-      if (problems_.full()) return;
       const std::string_view text = trimmed(line.text);
       if (text.empty()) continue;
-      if (text == "$") {
-        where = where == Where::start ? Where::header : Where::further;
-      } else if (text.starts_with("#$")) {
-        if (where == Where::header) return no_rows(line.number, in_quotes(text));
-        if (where != Where::further) where = Where::legend;
-      } else if (text == "#") {
-        if (where == Where::header) where = Where::data;
-      } else if (where == Where::start) {
+      if (where == Where::start && text != "$")
         return problems_.add(line.number, 1, in_quotes(text), "'$' on a line of its own",
                              "is this a Geotech file?");
-      } else if (where == Where::header) {
-        read_header(line);
-      } else if (where == Where::data) {
-        read_row(line);
-      } else if (where == Where::legend) {
-        if (const auto colon = text.find(':'); colon != text.npos)
-          legend_[std::string(text.substr(0, colon))] = std::string(text.substr(colon + 1));
-      } else if (text.starts_with("D=")) {
-        ++recording_.rows_read;
-        further_.lines.add(line.number);
-      }
+      if (where == Where::header && text.starts_with("#$")) return no_rows(line.number, in_quotes(text));
+      if (const auto next = next_part(where, text))
+        where = *next;
+      else
+        take(line, text, where);
     }
     if (where == Where::start || where == Where::header)
-      no_rows(std::max(1, static_cast<int>(lines.size())), "the end of the file");
+      return no_rows(std::max(1, static_cast<int>(lines.size())), "the end of the file");
+    for (const Row& row : rows_)
+      for (const Token& token : row.tokens)
+        if (key_of(token) != keys.end()) mark_.hear(token.value.text);
+    for (const Row& row : rows_)
+      if (!problems_.full()) read_row(row);
     finish();
   }
 
  private:
+  enum class Where { start, header, data, legend, further_header, further_data, further_legend };
+  struct Row {
+    Line line;
+    std::vector<Token> tokens;
+  };
+
+  /// The part of the file that a line begins, if it begins one.
+  static std::optional<Where> next_part(Where where, std::string_view text) {
+    if (text == "$") return where == Where::start ? Where::header : Where::further_header;
+    if (text.starts_with("#$"))
+      return where == Where::data || where == Where::legend ? Where::legend : Where::further_legend;
+    if (text == "#")
+      return where == Where::header || where == Where::data ? Where::data : Where::further_data;
+    return std::nullopt;
+  }
+
+  void take(const Line& line, std::string_view text, Where where) {
+    const bool is_row = text.starts_with("D=");
+    if (where == Where::header) {
+      read_header(line);
+    } else if (where == Where::data) {
+      rows_.push_back({line, tokens_of(line.text)});
+    } else if (where == Where::further_data || is_row) {
+      ++recording_.rows_read;
+      further_.lines.add(line.number);
+    } else if (where == Where::legend) {
+      if (const auto colon = text.find(':'); colon != text.npos)
+        legend_[std::string(text.substr(0, colon))] = std::string(text.substr(colon + 1));
+    }
+  }
+
+  static const Key* key_of(const Token& token) {
+    return std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == token.key; });
+  }
+
   void no_rows(int line, std::string found) {
     problems_.add(line, 1, std::move(found), "'#' on a line of its own, then rows D=...,QC=...",
                   "the file seems to be cut off");
@@ -112,10 +156,10 @@ class GeotechReader {
     for (const Token& token : tokens_of(line.text)) {
       if (token.value.text.empty()) continue;
       const auto set = [&](double& place, double scale) {
-        if (const auto value = number(token.value.text))
+        if (const auto value = lone_number(token.value.text))
           place = *value * scale;
         else
-          not_a_number(line, token);
+          unknown_.add(line.number, token.key, token.value.text);
       };
       if (token.key == "HD") recording_.date = std::string(token.value.text);
       if (token.key == "HK") recording_.id = std::string(token.value.text);
@@ -134,38 +178,57 @@ class GeotechReader {
                   fmt::format("a number ({})", token.key), number_hint(token.value.text));
   }
 
-  void read_row(const Line& line) {
+  void read_row(const Row& row) {
+    const Line& line = row.line;
     ++recording_.rows_read;
     Reading reading;
     reading.line = line.number;
     reading.after_stop = stop_ahead_;
     stop_ahead_ = false;
-    for (const Token& token : tokens_of(line.text)) {
-      const auto* key =
-          std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == token.key; });
+    for (auto token = row.tokens.begin(); token != row.tokens.end(); ++token) {
+      const auto* key = key_of(*token);
       const auto* zero =
-          std::find_if(zeros.begin(), zeros.end(), [&](const Zero& z) { return z.name == token.key; });
-      if (token.key == "%") {
-        if (const auto time = seconds_of(token.value.text))
+          std::find_if(zeros.begin(), zeros.end(), [&](const Zero& z) { return z.name == token->key; });
+      if (token->key == "%") {
+        if (const auto time = seconds_of(token->value.text))
           reading.time = *time;
         else
           unreadable_times_.add(line.number);
-      } else if (token.key == "F") {
-        ++flags_[std::string(token.value.text)];
-        stop_ahead_ = stop_ahead_ || token.value.text == "13";
+      } else if (token->key == "F") {
+        ++flags_[std::string(token->value.text)];
+        stop_ahead_ = stop_ahead_ || token->value.text == "13";
       } else if (key == keys.end() && zero == zeros.end()) {
-        if (token.key != "K" && token.key != "T") others_.insert(std::string(token.key.substr(0, 8)));
-      } else if (!token.value.text.empty()) {
-        const auto value = number(token.value.text);
-        if (!value)
-          not_a_number(line, token);
-        else if (key != keys.end())
-          reading.*(key->place) = *value * key->scale;
-        else
-          set_zero(recording_.*(zero->place), *value * zero->scale);
+        take_other(line, *token);
+      } else if (std::any_of(row.tokens.begin(), token,
+                             [&](const Token& t) { return t.key == token->key; })) {
+        problems_.add(line.number, column_of(line.text, token->key), "a second " + in_quotes(token->key),
+                      "each key once in a row", "were two rows joined?");
+      } else if (!token->value.text.empty()) {
+        read_value(line, *token, key, zero, reading);
       }
     }
     recording_.readings.push_back(reading);
+  }
+
+  void read_value(const Line& line, const Token& token, const Key* key, const Zero* zero, Reading& reading) {
+    if (key != keys.end()) {
+      if (const auto value = mark_.number(token.value.text))
+        reading.*(key->place) = *value * key->scale;
+      else
+        not_a_number(line, token);
+    } else if (const auto value = lone_number(token.value.text)) {
+      set_zero(recording_.*(zero->place), *value * zero->scale);
+    } else {
+      unknown_.add(line.number, token.key, token.value.text);
+    }
+  }
+
+  void take_other(const Line& line, const Token& token) {
+    if (number_of_any_size(token.key))
+      problems_.add(line.number, column_of(line.text, token.key), in_quotes(token.key), "KEY=number",
+                    "was it cut off at a comma? decimals follow a point");
+    else if (token.key != "K" && token.key != "T")
+      others_.insert(std::string(token.key.substr(0, 8)));
   }
 
   static void set_zero(ZeroReading& zero, double value) {
@@ -202,6 +265,8 @@ class GeotechReader {
           {{}, "keys of the rows: " + list, "not read", "a recording has no place for these quantities"});
     }
     if (further_.lines.rows > 0) recording_.set_aside.push_back(further_);
+    mark_.tell(recording_);
+    unknown_.tell(recording_);
   }
 
   Recording& recording_;
@@ -209,6 +274,9 @@ class GeotechReader {
   std::map<std::string, std::string> legend_;
   std::map<std::string, int> flags_;
   std::set<std::string> others_;
+  std::vector<Row> rows_;
+  DecimalMark mark_;
+  UnknownFacts unknown_;
   SetAside further_{{}, "belongs to a further sounding in the file"};
   Lines unreadable_times_;
   bool stop_ahead_ = false;

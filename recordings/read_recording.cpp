@@ -68,6 +68,30 @@ const Reader* find_reader(const std::vector<Line>& lines, const std::filesystem:
   return content != nullptr ? content : ending;
 }
 
+void remark_on_text(const Decoded& content, Recording& recording) {
+  if (content.utf_16)
+    recording.remarks.push_back(
+        {{}, "text in UTF-16", "read as such", "some programs save tables as \"Unicode text\""});
+  if (content.replaced > 0)
+    recording.remarks.push_back({{},
+                                 fmt::format("{} bytes that are not UTF-8", content.replaced),
+                                 "read as windows-1252",
+                                 "older programs write it; only texts are concerned, no numbers"});
+  if (content.end_mark)
+    recording.remarks.push_back({{},
+                                 "an end-of-file mark (0x1A, Ctrl-Z)",
+                                 "the file ends there; nothing but padding is behind it",
+                                 "old systems end texts so"});
+  if (content.padding > 0)
+    recording.remarks.push_back({{},
+                                 fmt::format("{} bytes 0x00 or 0xFF behind the text", content.padding),
+                                 "left out",
+                                 "padding up to the end of a block; is the last row whole?"});
+  if (content.padded_lines.rows > 0)
+    recording.remarks.push_back({content.padded_lines, "zero bytes at the ends of lines", "left out",
+                                 "padding of lines of fixed length; are the rows whole?"});
+}
+
 RecordingOrErrors refused(const std::filesystem::path& file, std::string found, std::string expected,
                           std::string hint = {}) {
   return std::vector<RecordingError>{
@@ -78,18 +102,15 @@ RecordingOrErrors refused(const std::filesystem::path& file, std::string found, 
 
 RecordingOrErrors parse_recording(std::string_view bytes, const std::filesystem::path& file,
                                   const ReadOptions& options) {
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-    return refused(file, "text in UTF-16", "UTF-8 or Latin-1", "save it as UTF-8");
   const Decoded content = decoded(bytes);
+  if (const auto& problem = content.problem)
+    return std::vector<RecordingError>{
+        {file.string(), problem->line, problem->column, problem->found, problem->expected, problem->hint}};
   const std::vector<Line> lines = lines_of(content.text);
   Recording recording;
   recording.file = file.string();
   recording.id = file.stem().string();
-  if (content.replaced > 0)
-    recording.remarks.push_back({{},
-                                 fmt::format("{} bytes that are not UTF-8", content.replaced),
-                                 "read as Latin-1",
-                                 "older programs write Latin-1; only texts are concerned, no numbers"});
+  remark_on_text(content, recording);
   const Reader* reader = find_reader(lines, file, options, recording);
   if (reader == nullptr)
     return refused(file, "a file of unknown format", "GEF-CPT, AGS4, Geotech .cpt or CSV",

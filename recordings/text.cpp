@@ -3,53 +3,32 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace cpt::recordings {
 namespace {
 
 constexpr double largest = 1.0e15;
 
-/// Length of the UTF-8 sequence that starts at `at`; 0 if there is none.
-std::size_t sequence(std::string_view bytes, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
-  const unsigned char lead = byte(0);
-  const std::size_t length = lead < 0x80                   ? 1
-                             : lead >= 0xC2 && lead < 0xE0 ? 2
-                             : lead >= 0xE0 && lead < 0xF0 ? 3
-                             : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                           : 0;
-  if (length == 0 || at + length > bytes.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  if (length > 2) {  // neither longer than needed, nor a surrogate, nor beyond U+10FFFF
-    const unsigned char second = byte(1);
-    if ((lead == 0xE0 && second < 0xA0) || (lead == 0xED && second >= 0xA0) ||
-        (lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second >= 0x90))
-      return 0;
+constexpr std::string_view minus = "\u2212";
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// As std::from_chars wants it.
+std::string plain(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  std::string plain;
+  while (!text.empty()) {
+    const bool is_minus = text.starts_with(minus);
+    plain += is_minus ? '-' : text.front();
+    text.remove_prefix(is_minus ? minus.size() : 1);
   }
-  return length;
+  if (plain.find_first_of("eE") == plain.npos)
+    if (const std::size_t d = plain.find_first_of("dD"); d != plain.npos) plain[d] = 'e';
+  return plain;
 }
 
 }  // namespace
-
-Decoded decoded(std::string_view bytes) {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  Decoded result;
-  result.text.reserve(bytes.size());
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t length = sequence(bytes, at);
-    if (length > 0) {
-      result.text += bytes.substr(at, length);
-      at += length;
-      continue;
-    }
-    const auto byte = static_cast<unsigned char>(bytes[at++]);  // 0x80 to 0xFF
-    result.text += static_cast<char>(0xC0 | (byte >> 6));
-    result.text += static_cast<char>(0x80 | (byte & 0x3F));
-    ++result.replaced;
-  }
-  return result;
-}
 
 std::vector<Line> lines_of(std::string_view text) {
   std::vector<Line> lines;
@@ -91,15 +70,33 @@ std::vector<Field> split(std::string_view line, char separator) {
   return fields;
 }
 
-std::optional<double> number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  if (text.empty() || !(text[0] == '-' || text[0] == '.' || (text[0] >= '0' && text[0] <= '9')))
+std::optional<double> number_of_any_size(std::string_view text) {
+  const std::string digits = plain(text);
+  const bool signed_twice = text.starts_with('+') && digits.starts_with('-');
+  const std::size_t first = digits.starts_with('-') ? 1 : 0;
+  if (signed_twice || first >= digits.size() || !(digits[first] == '.' || is_digit(digits[first])))
     return std::nullopt;
   double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  if (!(std::abs(value) <= largest)) return std::nullopt;
+  const char* const last = digits.data() + digits.size();
+  const auto [end, error] = std::from_chars(digits.data(), last, value);
+  if (end != last) return std::nullopt;
+  if (error == std::errc::result_out_of_range) {
+    const std::size_t exponent = digits.find_first_of("eE");
+    if (exponent == digits.npos || digits[exponent + 1] == '-') return 0.0;
+    return first == 1 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+  }
+  if (error != std::errc{}) return std::nullopt;
   return value;
+}
+
+std::optional<double> number(std::string_view text) {
+  const auto value = number_of_any_size(text);
+  return value && std::abs(*value) <= largest ? value : std::nullopt;
+}
+
+bool same_void(double value, double declared) {
+  return value == declared ||
+         (std::isfinite(declared) && std::abs(value - declared) <= 1e-6 * std::abs(declared));
 }
 
 std::optional<int> whole_number(std::string_view text, int min, int max) {
@@ -129,8 +126,15 @@ std::string lower_case(std::string_view text) {
 }
 
 std::string number_hint(std::string_view text) {
-  if (text.find(',') != std::string_view::npos) return "decimals follow a point, not a comma";
-  if (text.find(';') != std::string_view::npos) return "the file does not declare ';' as its separator";
+  const auto has = [&](std::string_view part) { return text.find(part) != text.npos; };
+  if (number_of_any_size(text)) return "beyond 1e15: perhaps a void that is not declared";
+  if ((has(",") && has(".")) || text.find(',') != text.rfind(','))
+    return "write digits without separators of thousands, decimals behind a point";
+  if (has(",")) return "decimals follow a point, not a comma";
+  if (has(";")) return "the file does not declare ';' as its separator";
+  if (has("\u2013") || has("\u2014")) return "a dash is not a minus sign";
+  if (has(" ") || has("\u00A0") || has("\u202F") || has("'"))
+    return "write digits without separators of thousands";
   return {};
 }
 

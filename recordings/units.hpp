@@ -11,8 +11,8 @@ namespace cpt::recordings {
 
 enum class Dimension { pressure, length, angle, time, speed, area };
 
-/// Factor to SI of a label such as "MPa", "kN/m2", "Graden(deg)"; capitals do not matter. Nothing if it is
-/// not one of this dimension.
+/// Factor to SI of a label such as "MPa", "kN/m\u00b2", "MN/m^2", "MPa (megaPascal)", "Graden(deg)"; capitals
+/// and blanks do not matter. Nothing if it is not one of this dimension, or names two units that differ.
 [[nodiscard]] std::optional<double> scale_of(Dimension dimension, std::string_view label);
 
 /// What a file says of the unit of one of its columns.
@@ -24,8 +24,11 @@ struct UnitLabel {
   int line;                   ///< where the label stands
 };
 
-/// Factor to SI: the label's if it is a unit of the right kind, else the format's own. A remark tells where
-/// the two are not the same word.
-[[nodiscard]] double unit_of(const UnitLabel& unit, Recording& recording);
+/// Factor to SI: the label's, or the format's own where the file gives none ("", "-", "geen"). Nothing where
+/// the label is no unit of this kind. A remark tells where label and format differ.
+[[nodiscard]] std::optional<double> unit_of(const UnitLabel& unit, Recording& recording);
+
+/// The usual units of a dimension, for messages.
+[[nodiscard]] std::string_view known_units(Dimension dimension);
 
 }  // namespace cpt::recordings

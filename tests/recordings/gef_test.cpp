@@ -96,9 +96,9 @@ TEST(Gef, DeclaredSeparatorsThatAreNotThereAreToldAndLeft) {
   expect_has(remark(r, "declares '!'").done, "line ends");
 }
 
-TEST(Gef, LatinOneBecomesUtf8) {
+TEST(Gef, OldEncodingsBecomeUtf8) {
   const Recording r = recording(with(corpus("plain.gef"), "CP15-CF75", "conus \xB0\xEB"), "a.gef");
-  EXPECT_EQ(remark(r, "not UTF-8").done, "read as Latin-1");
+  EXPECT_EQ(remark(r, "not UTF-8").done, "read as windows-1252");
   EXPECT_TRUE(std::any_of(r.facts.begin(), r.facts.end(),
                           [](const Fact& fact) { return fact.value == "conus \u00B0\u00EB"; }));
 }
@@ -139,11 +139,121 @@ TEST(Gef, BrokenFilesAreRefusedWithTheirPlace) {
   expect_has(refusal(text.substr(0, 200), "a.gef"), "expected #EOH=");
   expect_has(refusal(with(text, "resistance, 2", "resistance, 4"), "a.gef"), "a column of q_c");
   expect_has(refusal(with(text, "length, 1", "length, 5"), "a.gef"), "a column of length or depth");
-  expect_has(refusal(with(text, "length, 1", "length"), "a.gef"), "a.gef:4:1: error");
+  expect_has(refusal(with(text, "length, 1", "length"), "a.gef"), "a.gef:4:14: error");
   expect_has(refusal(with(text, "GEF-CPT-Report", "GEF-BORE-Report"), "a.gef"), "a.gef:19:17: error");
-  expect_has(refusal(with(text, "13, 1.0, m", "13, 1.0m, m"), "a.gef"), "'1.0m'");
   expect_has(refusal(text.substr(0, text.find("0.50 -")), "a.gef"), "found no row");
   expect_has(refusal("", "a.gef"), "found the end of the file");
+}
+
+TEST(Gef, WhatTheHeaderDoesNotKnowIsOneRemark) {
+  std::string text = with(corpus("plain.gef"), "20, 1.500, MPa", "20, -, MPa (megaPascal)");
+  text = with(text, "21, 1.510, MPa", "21, onbekend, MPa (megaPascal)");
+  text = with(text, "13, 1.0, m", "13, , m (meter)");
+  text = with(text, "1, 1500, mm2", "1, 1500, furlong2");
+  text = with(text, "31000, -1.5", "31000, -");
+  const Recording r = recording(text, "a.gef");
+  EXPECT_EQ(r.readings.size(), 5U);
+  EXPECT_TRUE(std::isnan(r.q_c_zero.before));
+  EXPECT_TRUE(std::isnan(r.predrilled_depth));
+  EXPECT_TRUE(std::isnan(r.elevation));
+  EXPECT_TRUE(std::isnan(r.cone_area));
+  const Remark told = remark(r, "no number where the header");
+  EXPECT_EQ(told.found,
+            "no number where the header should have one: zid '-', measurementvar 1 '1500 furlong2', "
+            "measurementvar 13 '', measurementvar 20 '-', measurementvar 21 'onbekend'");
+  EXPECT_EQ(told.lines.first, 12);
+  EXPECT_EQ(told.lines.last, 18);
+}
+
+TEST(Gef, UnitsAsTheNationalRegisterWritesThem) {
+  std::string text = with(corpus("plain.gef"), "2, MPa, cone", "2, MPa (megaPascal), cone");
+  text = with(text, "1, m, pen", "1, m (meter), pen");
+  text = with(text, "4, degrees,", "4, \u00B0 (graden),");
+  text = with(text, "1, 1500, mm2", "1, 1500, mm2 (vierkante millimeter)");
+  const Recording r = recording(text, "a.gef");
+  EXPECT_DOUBLE_EQ(r.readings[1].q_c, 2.5e6);
+  EXPECT_NEAR(r.cone_area, 15e-4, 1e-12);
+  EXPECT_NEAR(r.readings[4].depth, 2.4, 1e-9);
+  EXPECT_EQ(remark(r, "unit of ").lines.rows, -1) << "nothing odd about it";
+}
+
+TEST(Gef, DecimalCommasOfTheHeaderAreNotCut) {
+  std::string text = with(corpus("plain.gef"), "3, 0.75, -", "3, 0,75, -");
+  text = with(text, "120000.5, 480000.25", "120000,5, 480000,25");
+  text = with(text, "31000, -1.5", "31000, -1,5");
+  text = with(text, "13, 1.0, m", "13, 1,0, m");
+  text = with(text, "2, -9999.000000", "2, -9999,000000");
+  const Recording r = recording(text, "a.gef");
+  EXPECT_EQ(r.area_quotient, 0.75);
+  EXPECT_EQ(r.x, 120000.5);
+  EXPECT_EQ(r.y, 480000.25);
+  EXPECT_EQ(r.elevation, -1.5);
+  EXPECT_EQ(r.predrilled_depth, 1.0);
+  EXPECT_TRUE(std::isnan(r.readings[0].q_c));
+  EXPECT_EQ(remark(r, "no number where").lines.rows, -1);
+  // Without blanks a unit still is no number; a position may mean both.
+  text = with(corpus("plain.gef"), "#MEASUREMENTVAR= 3, 0.75, -, area quotient",
+              "#MEASUREMENTVAR=3,0,75,-,area");
+  text = with(text, " 31000, 120000.5, 480000.25", "31000,120000,5,480000,25");
+  const Recording tight = recording(text, "a.gef");
+  EXPECT_EQ(tight.area_quotient, 0.75);
+  EXPECT_TRUE(std::isnan(tight.x));
+  expect_has(remark(tight, "no number where").found, "xyid '120000,5,480000,25'");
+  // Whole coordinates stay two.
+  const Recording whole =
+      recording(with(corpus("plain.gef"), " 31000, 120000.5, 480000.25", " 31000, 120000,480000"), "a.gef");
+  EXPECT_EQ(whole.x, 120000.0);
+  EXPECT_EQ(whole.y, 480000.0);
+}
+
+TEST(Gef, TextsBehindTheLastColumn) {
+  for (const std::string separator : {" ", ";"}) {
+    std::string text = corpus("plain.gef");
+    if (separator == ";") {
+      const std::size_t data = text.find("#EOH=") + 6;
+      std::string rows = text.substr(data);
+      std::replace(rows.begin(), rows.end(), ' ', ';');
+      text = with(text.substr(0, data), "#EOH", "#COLUMNSEPARATOR= ;\n#EOH") + rows;
+    }
+    const std::string declared = with(text, "#EOH", "#COLUMNTEXT= 1, on\n#EOH");
+    const std::string row = "0.030" + separator + "0.0";
+    const Recording r = recording(with(declared, row, row + separator + "rod change, at last"), "a.gef");
+    EXPECT_EQ(r.readings.size(), 5U);
+    EXPECT_DOUBLE_EQ(r.readings[3].q_c, 4e6);
+    EXPECT_EQ(remark(r, "texts behind the last column").lines.rows, 1);
+    EXPECT_TRUE(std::any_of(r.facts.begin(), r.facts.end(),
+                            [](const Fact& fact) { return fact.value == "rod change, at last"; }));
+    expect_has(refusal(with(text, row, row + separator + "rod"), "a.gef"), "need #COLUMNTEXT");
+    // Numbers are no text: they may be decimals that were cut off.
+    expect_has(refusal(with(declared, row, row + separator + "5"), "a.gef"), "a row of 5 values, expected 4");
+    expect_has(refusal(with(with(declared, "1, on", "1, off"), row, row + separator + "rod"), "a.gef"),
+               "a row of 5 values");
+  }
+}
+
+TEST(Gef, WrappedHeaderLinesGoOn) {
+  const Recording r = recording(with(corpus("plain.gef"), "#COLUMNINFO= 2, MPa, cone resistance, 2",
+                                     "#COLUMNINFO= 2, MPa,\n  cone resistance,\n2"),
+                                "a.gef");
+  EXPECT_DOUBLE_EQ(r.readings[1].q_c, 2.5e6);
+  EXPECT_EQ(remark(r, "header lines without '#'").lines.first, 6);
+  expect_has(
+      refusal(with(corpus("plain.gef"), "#COLUMNINFO= 2, MPa, cone", "#COLUMNINFO= 2,\n ksc, cone"), "a.gef"),
+      "a.gef:6:2: error: found 'ksc', expected the unit of q_c");
+}
+
+TEST(Gef, HugeVoidsAndVoidsInWords) {
+  for (const char* value :
+       {"1.0E+30", "3.4028235E+38", "-3.402823466e+038", "1.79769313486232E+308", "NaN", "-"}) {
+    std::string text = corpus("plain.gef");
+    for (std::size_t at; (at = text.find("-9999.0")) != text.npos;)
+      text.replace(at, text.compare(at, 12, "-9999.000000") == 0 ? 12 : 7, value);
+    const Recording r = recording(text, "a.gef");
+    EXPECT_EQ(remark(r, "q_c is void").lines.rows, 1) << value;
+    EXPECT_EQ(remark(r, "f_s is void").lines.rows, 2) << value;
+  }
+  expect_has(refusal(with(corpus("plain.gef"), "3.0 -9999.0", "1e30 -9999.0"), "a.gef"),
+             "a void that is not declared");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST(ReadRecording, AllLineEndsAndAByteOrderMarkAreFine) {
 
 TEST(ReadRecording, WhatCannotBeReadIsTold) {
   expect_has(refusal("hello\n", "a.doc"), "a file of unknown format");
-  expect_has(refusal(std::string("\xFF\xFE#\0G\0", 6), "a.gef"), "UTF-16");
+  expect_has(refusal(std::string("\xFF\xFE\0\0#\0\0\0", 8), "a.gef"), "UTF-32");
   const auto none = read_recording("/nowhere/a.gef");
   expect_has(format(std::get<1>(none)), "/nowhere/a.gef: error: found no file that can be read");
   EXPECT_EQ(read_recording(RECORDINGS_CORPUS).index(), 1U) << "a folder";

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "recordings/interpretation.hpp"
 #include "recordings/read_recording.hpp"
 #include "tests/fuzz/targets.hpp"
 
@@ -33,10 +34,30 @@ void check(const Recording& r) {
     promise(!remark.found.empty() && !remark.done.empty() && !remark.why.empty(), "a remark says all");
 }
 
+// What every interpretation promises (interpretation.hpp).
+void check(const Recording& r, const Interpretation& it) {
+  for (const std::size_t size :
+       {it.q_t.size(), it.R_f.size(), it.ground.size(), it.behaviour.size(), it.speed.speed.size()})
+    promise(size == r.readings.size(), "one value for each reading");
+  for (const Behaviour& b : it.behaviour)
+    promise(b.zone >= 0 && b.zone <= 9 && (b.zone == 0 || std::isfinite(b.I_c)), "a zone comes from an I_c");
+  double depth = -1e300;
+  for (const BehaviourInterval& interval : it.intervals) {
+    promise(interval.from >= depth && interval.to >= interval.from, "intervals follow each other");
+    promise(interval.zone > 0 && interval.of_zone > 0 && interval.of_zone <= interval.readings,
+            "an interval has readings of its zone");
+    depth = interval.to;
+  }
+  for (const Spike& spike : it.spikes) promise(spike.reading < r.readings.size(), "a spike is a reading");
+  for (const OddSpeed& run : it.odd_speeds)
+    promise(run.readings > 0 && run.from <= run.to, "a run of odd speed has readings");
+}
+
 bool sound(std::string_view bytes, const char* name, const ReadOptions& options) {
   const RecordingOrErrors read = parse_recording(bytes, name, options);
   if (const auto* recording = std::get_if<Recording>(&read)) {
     check(*recording);
+    check(*recording, interpret(*recording));
     return true;
   }
   const auto& errors = std::get<std::vector<RecordingError>>(read);
