@@ -2,26 +2,24 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/format_option.hpp"
+#include "cli/recording_plot.hpp"
 #include "cli/recording_summary.hpp"
 #include "cli/study_argument.hpp"
 #include "recordings/csv.hpp"
 #include "recordings/read_recording.hpp"
-#include "reports/depth_panels.hpp"
 #include "reports/figure_files.hpp"
-#include "reports/palette.hpp"
 #include "reports/png.hpp"
 
 namespace cpt::cli {
 namespace {
 
-using recordings::Reading;
 using recordings::Recording;
 
 struct Arguments {
@@ -29,6 +27,7 @@ struct Arguments {
   std::vector<std::string> columns;  // QUANTITY=NAME
   recordings::ReadOptions options;
   std::filesystem::path out, csv;
+  std::optional<double> unit_weight, water_table, surcharge, area_quotient;  // kN/m3, m, kPa, -
   results::Format format = results::Format::table;
 };
 
@@ -46,39 +45,20 @@ recordings::ColumnMap column_map(const std::vector<std::string>& entries) {
   return map;
 }
 
-std::string plot(const Recording& recording) {
-  struct Shown {
-    const char* title;
-    double scale;  // [Pa]
-    double Reading::*quantity;
-    std::string_view color;
-  };
-  static constexpr Shown shown[] = {
-      {"q_c (MPa)", 1e6, &Reading::q_c, reports::palette::ink},
-      {"f_s (kPa)", 1e3, &Reading::f_s, reports::palette::vermillion},
-      {"u_2 (kPa)", 1e3, &Reading::u_2, reports::palette::blue},
-  };
-  reports::DepthPanels figure;
-  figure.title = recording.id;
-  figure.lines = {fmt::format("{}, {}{}{}", std::filesystem::path(recording.file).filename().string(),
-                              name_of(recording.format), recording.date.empty() ? "" : ", ", recording.date),
-                  fmt::format("depth: {}", name_of(recording.depth_rule))};
-  figure.depth = column(recording, &Reading::depth);
-  for (const Shown& s : shown) {
-    std::vector<double> values = column(recording, s.quantity);
-    if (recordings::spread(values).values == 0) continue;
-    for (double& value : values) value /= s.scale;
-    figure.panels.push_back({reports::symbolic(s.title), std::move(values), s.color});
-  }
-  for (const Reading& reading : recording.readings) {
-    if (reading.predrilled) figure.shaded_to = recording.predrilled_depth;
-    if (reading.after_stop) figure.marks.push_back(reading.depth);
-  }
-  if (!std::isnan(figure.shaded_to)) figure.note = "grey: predrilled";
-  if (!figure.marks.empty())
-    figure.note +=
-        std::string(figure.note.empty() ? "" : "; ") + "ticks at the right edge: stops of the push";
-  return reports::depth_panels(figure);
+/// A number of the command line within a range, in SI units.
+std::optional<double> known(const char* option, const std::optional<double>& value, double low, double high,
+                            const char* unit, double scale) {
+  if (value && !(*value >= low && *value <= high))
+    throw BadInput(fmt::format("{} {:g}: must be {:g} to {:g}{}{}", option, *value, low, high,
+                               *unit == '\0' ? "" : " ", unit));
+  return value ? std::optional(*value * scale) : std::nullopt;
+}
+
+recordings::KnownGround known_ground(const Arguments& arguments) {
+  return {known("--unit-weight", arguments.unit_weight, 5.0, 40.0, "kN/m3", 1e3),
+          known("--water-table", arguments.water_table, -1e4, 1e4, "m", 1.0),
+          known("--surcharge", arguments.surcharge, 0.0, 1e5, "kPa", 1e3),
+          known("--area-quotient", arguments.area_quotient, 0.01, 1.0, "", 1.0)};
 }
 
 int show(const Arguments& arguments) {
@@ -88,18 +68,20 @@ int show(const Arguments& arguments) {
   if (out.empty()) out = arguments.file.stem().string() + "-recording.svg";
   if (out.extension() != ".svg" && out.extension() != ".png")
     throw BadInput(fmt::format("--out {}: must end in .svg or .png", out.string()));
+  const recordings::KnownGround ground = known_ground(arguments);
   const auto read = recordings::read_recording(arguments.file, options);
   if (const auto* errors = std::get_if<std::vector<recordings::RecordingError>>(&read))
     throw BadInput(recordings::format(*errors));
   const auto& recording = std::get<Recording>(read);
 
-  fmt::print("{}", summary(recording, arguments.format));
-  const std::string svg = plot(recording);
+  const recordings::Interpretation interpretation = recordings::interpret(recording, ground);
+  fmt::print("{}", summary(recording, interpretation, arguments.format));
+  const std::string svg = recording_plot(recording, interpretation);
   if (out.extension() == ".png")
     reports::write_png(svg, out);
   else
     reports::write_text(out, svg);
-  if (!arguments.csv.empty()) results::write_csv(arguments.csv, readings_table(recording));
+  if (!arguments.csv.empty()) results::write_csv(arguments.csv, readings_table(recording, interpretation));
   if (arguments.format == results::Format::table) fmt::print("\n{}\n", out.string());
   return all_well;
 }
@@ -122,6 +104,13 @@ void add_recording(CLI::App& program, Action& action) {
       ->allow_extra_args(false);
   sub->add_option("--push", arguments->options.push, "AGS4: which push, where the file holds several")
       ->type_name("LOCA_ID[/SCPG_TESN]");
+  const auto ground = [&](const char* name, std::optional<double>& value, const char* text,
+                          const char* unit) { sub->add_option(name, value, text)->type_name(unit); };
+  ground("--unit-weight", arguments->unit_weight, "Of the soil, for the stresses in I_c [18]", "KN_PER_M3");
+  ground("--water-table", arguments->water_table, "Its depth below the ground, for the stresses in I_c [1]",
+         "M");
+  ground("--surcharge", arguments->surcharge, "Vertical stress on the ground, as in a chamber [0]", "KPA");
+  ground("--area-quotient", arguments->area_quotient, "Of the cone, for q_t, in place of the file's", "A");
   sub->add_option("--out", arguments->out, "Figure, .svg or .png [NAME-recording.svg]")->type_name("FILE");
   sub->add_option("--csv", arguments->csv, "Write all readings to this file too, with all digits")
       ->type_name("FILE");
@@ -129,6 +118,7 @@ void add_recording(CLI::App& program, Action& action) {
   sub->footer(R"(Examples:
   campaign recording S04.gef
   campaign recording S04.gef --out S04.png --csv S04.csv
+  campaign recording S04.gef --unit-weight 17 --water-table 0.8
   campaign recording site.ags --push CPT01/1 --format json
   campaign recording chamber.csv --column depth_m=z_m --column q_c_MPa=qc_measured_MPa --void -9999
 Quantities of --column, with their unit: depth_m, length_m, q_c_MPa, f_s_kPa, u_2_kPa, inclination_deg,

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "cli/recording_interpretation.hpp"
+
 namespace cpt::cli {
 namespace {
 
+using recordings::Interpretation;
 using recordings::Reading;
 using recordings::Recording;
 using results::Cell;
@@ -62,16 +65,20 @@ Table facts_table(const Recording& r) {
   return table;
 }
 
-Table quantity_table(const Recording& r) {
+Table quantity_table(const Recording& r, const Interpretation& interpretation) {
   Table table{{"quantity", "unit", "values", "void", "min", "median", "max"}, {}};
-  for (const Quantity& quantity : quantities) {
-    const recordings::Spread s = recordings::spread(column(r, quantity.place));
-    if (s.values == 0) continue;
-    table.rows.push_back({quantity.name, quantity.unit, whole(s.values),
-                          whole(r.readings.size() - static_cast<std::size_t>(s.values)),
-                          cell(s.min / quantity.scale), cell(s.median / quantity.scale),
-                          cell(s.max / quantity.scale)});
-  }
+  const auto add = [&](const char* name, const char* unit, double scale, const std::vector<double>& values) {
+    const recordings::Spread s = recordings::spread(values);
+    if (s.values == 0) return;
+    table.rows.push_back({name, unit, whole(s.values),
+                          whole(r.readings.size() - static_cast<std::size_t>(s.values)), cell(s.min / scale),
+                          cell(s.median / scale), cell(s.max / scale)});
+  };
+  for (const Quantity& quantity : quantities)
+    add(quantity.name, quantity.unit, quantity.scale, column(r, quantity.place));
+  for (const DerivedColumn& derived : derived_columns(interpretation))
+    if (std::string_view name = derived.name; name != "zone" && (name != "q_t" || interpretation.corrected))
+      add(derived.name, derived.unit, 1.0, derived.values);
   return table;
 }
 
@@ -105,7 +112,7 @@ std::string place(const recordings::Lines& lines) {
   return fmt::format("{} row{}, {}", lines.rows, lines.rows == 1 ? "" : "s", where);
 }
 
-std::string to_read(const Recording& r) {
+std::string to_read(const Recording& r, const Interpretation& interpretation) {
   std::string text;
   for (const auto& row : facts_table(r).rows) {
     const auto& unit = std::get<std::string>(row[2]);
@@ -116,7 +123,8 @@ std::string to_read(const Recording& r) {
         fmt::format("{:<15} {}{}{}\n", std::get<std::string>(row[0]), value, unit.empty() ? "" : " ", unit);
   }
   text += '\n';
-  text += results::format(quantity_table(r), results::Format::table);
+  text += results::format(quantity_table(r, interpretation), results::Format::table);
+  text += interpretation_text(r, interpretation);
   if (!r.set_aside.empty()) text += "\nSet aside\n";
   for (const recordings::SetAside& set : r.set_aside)
     text += fmt::format("  {}: {}\n", place(set.lines), set.reason);
@@ -128,9 +136,9 @@ std::string to_read(const Recording& r) {
 }
 
 // The parts below each other, with the columns of all.
-std::string as_csv(const Recording& r) {
+std::string as_csv(const Recording& r, const Interpretation& interpretation) {
   Table all{{"part"}, {}};
-  const auto add = [&](const char* part, const Table& table) {
+  const auto add = [&](const std::string& part, const Table& table) {
     for (const std::string& column : table.columns)
       if (std::find(all.columns.begin(), all.columns.end(), column) == all.columns.end())
         all.columns.push_back(column);
@@ -146,7 +154,8 @@ std::string as_csv(const Recording& r) {
     }
   };
   add("recording", facts_table(r));
-  add("quantity", quantity_table(r));
+  add("quantity", quantity_table(r, interpretation));
+  for (const results::NamedTable& part : interpretation_tables(r, interpretation)) add(part.name, part.table);
   add("set aside", aside_table(r));
   add("remark", remark_table(r));
   add("header", header_table(r));
@@ -154,15 +163,16 @@ std::string as_csv(const Recording& r) {
   return results::format(all, results::Format::csv);
 }
 
-std::string as_json(const Recording& r) {
+std::string as_json(const Recording& r, const Interpretation& interpretation) {
   std::string text = "{";
-  const auto add = [&](const char* part, const Table& table) {
+  const auto add = [&](const std::string& part, const Table& table) {
     text += fmt::format("{}\n\"{}\": {}", text.size() == 1 ? "" : ",", part,
                         results::format(table, results::Format::json));
     text.pop_back();  // the line break
   };
   add("recording", facts_table(r));
-  add("quantities", quantity_table(r));
+  add("quantities", quantity_table(r, interpretation));
+  for (const results::NamedTable& part : interpretation_tables(r, interpretation)) add(part.name, part.table);
   add("set_aside", aside_table(r));
   add("remarks", remark_table(r));
   add("header", header_table(r));
@@ -171,28 +181,33 @@ std::string as_json(const Recording& r) {
 
 }  // namespace
 
-std::string summary(const Recording& recording, results::Format format) {
+std::string summary(const Recording& recording, const Interpretation& interpretation,
+                    results::Format format) {
   switch (format) {
     case results::Format::csv:
-      return as_csv(recording);
+      return as_csv(recording, interpretation);
     case results::Format::json:
-      return as_json(recording);
+      return as_json(recording, interpretation);
     case results::Format::table:
       break;
   }
-  return to_read(recording);
+  return to_read(recording, interpretation);
 }
 
-Table readings_table(const Recording& recording) {
+Table readings_table(const Recording& recording, const Interpretation& interpretation) {
   Table table{{"line", "depth_m", "length_m", "q_c_kPa", "f_s_kPa", "u_2_kPa", "inclination_deg",
                "speed_mm_per_s", "time_s", "predrilled", "after_stop"},
               {}};
-  for (const Reading& reading : recording.readings) {
+  const std::vector<DerivedColumn> derived = derived_columns(interpretation);
+  for (const DerivedColumn& column : derived) table.columns.emplace_back(column.header);
+  for (std::size_t i = 0; i < recording.readings.size(); ++i) {
+    const Reading& reading = recording.readings[i];
     auto& row = table.rows.emplace_back();
     row.push_back(whole(reading.line));
     for (const Quantity& quantity : quantities) row.push_back(cell(reading.*quantity.place / quantity.scale));
     row.push_back(whole(reading.predrilled ? 1 : 0));
     row.push_back(whole(reading.after_stop ? 1 : 0));
+    for (const DerivedColumn& column : derived) row.push_back(cell(column.values[i]));
   }
   return table;
 }

@@ -14,15 +14,17 @@ namespace {
 constexpr double left = 50.0, right = 14.0, gap = 14.0;
 constexpr double panel_height = 400.0;
 constexpr double least_panel_width = 116.0, least_width = 300.0;
+constexpr double bands_width = 30.0;
 constexpr double line_height = 12.5;
 
-Axis across(const std::vector<double>& values, const Box& box) {
+Axis across(const DepthPanel& panel, const Box& box) {
   double low = 0.0, high = 0.0;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
+  for (const std::vector<double>* values : {&panel.values, &panel.beside})
+    for (const double value : *values) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
   const Range range = widened(low, high, 0.05);
   return {low < 0.0 ? range.low : 0.0, range.high, box.x, box.right()};
 }
@@ -32,7 +34,7 @@ void draw_panel(Svg& svg, const DepthPanels& figure, const DepthPanel& panel, co
   if (figure.shaded_to > depth.low)
     svg.rectangle({box.x, box.y, box.width, depth(std::min(figure.shaded_to, depth.high)) - box.y},
                   palette::band, 0.5);
-  const Axis axis = across(panel.values, box);
+  const Axis axis = across(panel, box);
   draw_horizontal(svg, box, axis, Edge::top, panel.title, 4);
   if (first)
     draw_vertical(svg, box, depth, plain("depth (m)"), 10);
@@ -40,13 +42,32 @@ void draw_panel(Svg& svg, const DepthPanels& figure, const DepthPanel& panel, co
     for (const Tick& tick : ticks(depth.low, depth.high, 10))
       svg.line({box.x, depth(tick.value)}, {box.right(), depth(tick.value)}, {palette::grid, 0.4, {}});
   svg.begin_clip(box);
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < panel.values.size(); ++i)
-    points.push_back({axis(panel.values[i]), depth(figure.depth[i])});
-  svg.polyline(points, {panel.color, 0.8, {}});
+  const auto curve = [&](const std::vector<double>& values, const Pen& pen) {
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      points.push_back({axis(values[i]), depth(figure.depth[i])});
+    svg.polyline(points, pen);
+  };
+  curve(panel.values, {panel.color, 0.8, {}});
+  if (!panel.beside.empty()) curve(panel.beside, {panel.beside_color, 0.7, "3 2"});
   svg.end_clip();
   for (const double mark : figure.marks)
     svg.line({box.right() - 5.0, depth(mark)}, {box.right(), depth(mark)}, {palette::ink, 0.7, {}});
+  svg.frame(box, {palette::ink, 0.6, {}});
+}
+
+void draw_bands(Svg& svg, const DepthPanels& figure, const Box& box, const Axis& depth) {
+  constexpr double size = 7.0;
+  for (const DepthBand& band : figure.bands) {
+    const double top = depth(std::max(band.from, depth.low)), bottom = depth(std::min(band.to, depth.high));
+    if (bottom <= top) continue;
+    svg.rectangle({box.x, top, box.width, bottom - top}, band.color, 0.6);
+    if (bottom - top > size)
+      svg.text({box.x + 0.5 * box.width, 0.5 * (top + bottom) + 0.35 * size}, plain(band.label),
+               {.size = size, .anchor = Anchor::middle});
+  }
+  svg.text({box.x + 0.5 * box.width, box.y - 7.0}, figure.bands_title,
+           {.size = 7.5, .anchor = Anchor::middle});
   svg.frame(box, {palette::ink, 0.6, {}});
 }
 
@@ -54,7 +75,8 @@ void draw_panel(Svg& svg, const DepthPanels& figure, const DepthPanel& panel, co
 
 std::string depth_panels(const DepthPanels& figure) {
   const auto count = static_cast<double>(figure.panels.size());
-  const double beside = left + (count - 1.0) * gap + right;
+  const double bands = figure.bands.empty() ? 0.0 : gap + bands_width;
+  const double beside = left + (count - 1.0) * gap + bands + right;
   const double width = std::max(least_width, beside + count * least_panel_width);
   const double panel_width = (width - beside) / count;
   const double top = 23.0 + line_height * static_cast<double>(figure.lines.size()) + 36.0;
@@ -74,6 +96,8 @@ std::string depth_panels(const DepthPanels& figure) {
     draw_panel(svg, figure, figure.panels[i],
                {left + static_cast<double>(i) * (panel_width + gap), top, panel_width, panel_height}, depth,
                i == 0);
+  if (!figure.bands.empty())
+    draw_bands(svg, figure, {width - right - bands_width, top, bands_width, panel_height}, depth);
   svg.text({10.0, top + panel_height + 16.0}, plain(shortened(figure.note, room, 7.0)),
            {.size = 7.0, .color = palette::muted});
   return svg.document(figure.title);

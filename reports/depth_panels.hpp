@@ -14,6 +14,15 @@ struct DepthPanel {
   Rich title;
   std::vector<double> values;  ///< one for each depth; NaN breaks the curve
   std::string_view color;
+  std::vector<double> beside = {};     ///< a second curve in the same unit, dashed; may be empty
+  std::string_view beside_color = {};  ///< of the second
+};
+
+/// A depth interval in a column of its own.
+struct DepthBand {
+  double from, to;  // [m]
+  std::string label;
+  std::string_view color;
 };
 
 struct DepthPanels {
@@ -23,7 +32,9 @@ struct DepthPanels {
   std::vector<DepthPanel> panels;                               ///< at least one
   double shaded_to = std::numeric_limits<double>::quiet_NaN();  // [m] grey from the top down to here
   std::vector<double> marks;                                    // [m] ticks at the right edge
-  std::string note;                                             ///< below the panels
+  Rich bands_title = {};
+  std::vector<DepthBand> bands = {};  ///< right of the panels; no column where there are none
+  std::string note;                   ///< below the panels
 };
 
 /// The figure as an SVG document; scales from zero where all values are positive.

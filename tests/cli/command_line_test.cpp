@@ -68,6 +68,8 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
       {{"recording", "a.csv", "--column", "q_c_MPa"}, "must be QUANTITY=NAME"},
       {{"recording", "a.csv", "--column", "q_c_m=qc"}, "'q_c_m' is no quantity; known are depth_m"},
       {{"recording", "a.csv", "--out", "a.jpg"}, "must end in .svg or .png"},
+      {{"recording", "a.csv", "--unit-weight", "180"}, "--unit-weight 180: must be 5 to 40 kN/m3"},
+      {{"recording", "a.csv", "--area-quotient", "1.5"}, "--area-quotient 1.5: must be 0.01 to 1"},
       {{"element", "triaxial", "--set", "sand.Hh=3"}, "did you mean sand.H?"},
       {{"element", "triaxial", "--set", "sand.H"}, "must be NAME=VALUE"},
       {{"element", "triaxial", "--set", "sand.H=much"}, "not a number"},
@@ -189,6 +191,38 @@ TEST(CommandLine, RecordingIsSummedUpPlottedAndWritten) {
   const Result bad = run(campaign({"recording", folder.file("bad.csv")}));
   EXPECT_EQ(bad.exit_code, 2);
   expect_has(bad.err, "bad.csv:2:5: error: found 'x', expected a number (q_c_MPa)");
+}
+
+TEST(CommandLine, RecordingSaysWhatItReadsOutAndAssumes) {
+  const StudyFolder folder;
+  std::string rows = "# area_quotient = 0.8\ndepth_m,q_c_MPa,f_s_kPa,u_2_kPa,speed_mm_per_s\n";
+  for (int i = 0; i < 60; ++i)
+    rows += std::to_string(2.0 + 0.02 * i) + "," +
+            (i == 30      ? "9"
+             : i % 2 == 0 ? "5.0"
+                          : "5.1") +
+            ",30,20," + (i < 50 ? "20" : "30") + "\n";
+  folder.write("sand.csv", rows);
+  const auto with = [&](std::vector<std::string> more) {
+    std::vector<std::string> words = {"recording", folder.file("sand.csv"), "--out", folder.file("plot.svg")};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(campaign(words));
+  };
+  const Result table = with({"--water-table", "0.5", "--csv", folder.file("readings.csv")});
+  ASSERT_EQ(table.exit_code, 0) << table.err;
+  for (const char* line :
+       {"q_t = q_c + (1 - a) u_2", "area quotient a: 0.8 (of the file)",
+        "unit weight of the soil: 18 kN/m3 (assumed)", "depth of the water table: 0.5 m (given)",
+        "6  sands: clean sand to silty sand", "Spikes of single readings: 1 of q_c",
+        "median 20 mm/s; 10 of 60 readings outside of 20 +- 5", "3.18"})
+    expect_has(table.out, line);
+  expect_has(folder.read("readings.csv"), ",q_t_kPa,R_f_percent,Q_tn,F_r_percent,n,I_c,zone\n");
+  expect_has(folder.read("readings.csv"), ",5004,");  // 5000 + 0.2 20 kPa
+  expect_has(folder.read("plot.svg"), ">zone<");
+  const Result json = with({"--format", "json"});
+  for (const char* part :
+       {"\"assumptions\": [", "\"soil_behaviour\": [", "\"spikes\": [", "\"odd_speeds\": ["})
+    expect_has(json.out, part);
 }
 
 TEST(CommandLine, PaperHoldsWhatThereIsAgainstThePaper) {

@@ -1,0 +1,87 @@
+#include "cli/recording_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "reports/depth_panels.hpp"
+#include "reports/palette.hpp"
+
+namespace cpt::cli {
+namespace {
+
+using recordings::Interpretation;
+using recordings::Reading;
+using recordings::Recording;
+
+constexpr double kPa = 1.0e3, MPa = 1.0e6;  // [Pa]
+
+// By zone, from 1: fine soils blue, coarse ones yellow.
+constexpr std::array<std::string_view, 9> zone_colors = {
+    reports::palette::purple, "#8c6d46", reports::palette::blue,   reports::palette::sky,
+    reports::palette::green,  "#f0e442", reports::palette::orange, reports::palette::vermillion,
+    reports::palette::faint};
+
+std::vector<double> divided(std::vector<double> values, double by) {
+  for (double& value : values) value /= by;
+  return values;
+}
+
+void add_panel(reports::DepthPanels& figure, const char* title, std::vector<double> values,
+               std::string_view color) {
+  if (recordings::spread(values).values == 0) return;
+  figure.panels.push_back({reports::symbolic(title), std::move(values), color});
+}
+
+void add_panels(reports::DepthPanels& figure, const Recording& recording,
+                const Interpretation& interpretation) {
+  add_panel(figure, interpretation.corrected ? "q_c, q_t (MPa)" : "q_c (MPa)",
+            divided(column(recording, &Reading::q_c), MPa), reports::palette::ink);
+  if (interpretation.corrected && !figure.panels.empty()) {
+    figure.panels.back().beside = divided(interpretation.q_t, MPa);
+    figure.panels.back().beside_color = reports::palette::vermillion;
+  }
+  add_panel(figure, "f_s (kPa)", divided(column(recording, &Reading::f_s), kPa),
+            reports::palette::vermillion);
+  add_panel(figure, "u_2 (kPa)", divided(column(recording, &Reading::u_2), kPa), reports::palette::blue);
+  if (!interpretation.why_no_behaviour.empty()) return;
+  std::vector<double> R_f = interpretation.R_f, I_c;
+  for (std::size_t i = 0; i < R_f.size(); ++i) {
+    I_c.push_back(interpretation.behaviour[i].I_c);
+    if (recording.readings[i].predrilled) R_f[i] = recordings::not_given;
+  }
+  add_panel(figure, "R_f (%)", std::move(R_f), reports::palette::green);
+  add_panel(figure, "I_c", std::move(I_c), reports::palette::purple);
+}
+
+}  // namespace
+
+std::string recording_plot(const Recording& recording, const Interpretation& interpretation) {
+  reports::DepthPanels figure;
+  figure.title = recording.id;
+  figure.lines = {fmt::format("{}, {}{}{}", std::filesystem::path(recording.file).filename().string(),
+                              name_of(recording.format), recording.date.empty() ? "" : ", ", recording.date),
+                  fmt::format("depth: {}", name_of(recording.depth_rule))};
+  figure.depth = column(recording, &Reading::depth);
+  add_panels(figure, recording, interpretation);
+  for (const Reading& reading : recording.readings) {
+    if (reading.predrilled) figure.shaded_to = recording.predrilled_depth;
+    if (reading.after_stop) figure.marks.push_back(reading.depth);
+  }
+  figure.bands_title = reports::plain("zone");
+  for (const recordings::BehaviourInterval& b : interpretation.intervals)
+    figure.bands.push_back(
+        {b.from, b.to, fmt::format("{}", b.zone), zone_colors[static_cast<std::size_t>(b.zone) - 1]});
+  const auto note = [&](const char* text) {
+    figure.note += (figure.note.empty() ? "" : "; ") + std::string(text);
+  };
+  if (!std::isnan(figure.shaded_to)) note("grey: predrilled");
+  if (!figure.marks.empty()) note("ticks at the right edge: stops of the push");
+  if (interpretation.corrected) note("dashed: corrected for pore pressure");
+  if (!figure.bands.empty()) note("zone: soil behaviour type");
+  return reports::depth_panels(figure);
+}
+
+}  // namespace cpt::cli
