@@ -81,7 +81,8 @@ class HeaderReader {
     } else if (key == "columnvoid") {
       read_void(fields);
     } else if (key == "columntext") {
-      header_.texts = fields.size() < 2 || lower_case(fields[1].text) != "off";
+      header_.texts =
+          fields.size() < 2 || (lower_case(fields[1].text) != "off" && lower_case(fields[1].text) != "uit");
     } else if (key == "columnseparator" || key == "recordseparator") {
       if (!value.empty()) (key[0] == 'c' ? header_.column_separator : header_.record_separator) = value[0];
     } else if (key == "dataformat" && lower_case(value).starts_with("binary")) {

@@ -226,7 +226,7 @@ TEST(Gef, TextsBehindTheLastColumn) {
     expect_has(refusal(with(text, row, row + separator + "rod"), "a.gef"), "need #COLUMNTEXT");
     // Numbers are no text: they may be decimals that were cut off.
     expect_has(refusal(with(declared, row, row + separator + "5"), "a.gef"), "a row of 5 values, expected 4");
-    expect_has(refusal(with(with(declared, "1, on", "1, off"), row, row + separator + "rod"), "a.gef"),
+    expect_has(refusal(with(with(declared, "1, on", "1, uit"), row, row + separator + "rod"), "a.gef"),
                "a row of 5 values");
   }
 }
