@@ -35,17 +35,30 @@ void add_panel(reports::DepthPanels& figure, const char* title, std::vector<doub
   figure.panels.push_back({reports::symbolic(title), std::move(values), color});
 }
 
+void add_measured(reports::DepthPanels& figure, const Recording& recording,
+                  const Interpretation& interpretation, const char* quantity, const char* title,
+                  double Reading::*place, double scale, std::string_view color) {
+  const std::size_t before = figure.panels.size();
+  add_panel(figure, title, divided(column(recording, place), scale), color);
+  if (figure.panels.size() == before) return;
+  for (const recordings::Spike& spike : interpretation.spikes)
+    if (spike.quantity == quantity) figure.panels.back().circled.push_back(spike.reading);
+}
+
 void add_panels(reports::DepthPanels& figure, const Recording& recording,
                 const Interpretation& interpretation) {
-  add_panel(figure, interpretation.corrected ? "q_c, q_t (MPa)" : "q_c (MPa)",
-            divided(column(recording, &Reading::q_c), MPa), reports::palette::ink);
+  const auto add = [&](const char* quantity, const char* title, double Reading::*place, double scale,
+                       std::string_view color) {
+    add_measured(figure, recording, interpretation, quantity, title, place, scale, color);
+  };
+  add("q_c", interpretation.corrected ? "q_c, q_t (MPa)" : "q_c (MPa)", &Reading::q_c, MPa,
+      reports::palette::ink);
   if (interpretation.corrected && !figure.panels.empty()) {
     figure.panels.back().beside = divided(interpretation.q_t, MPa);
     figure.panels.back().beside_color = reports::palette::vermillion;
   }
-  add_panel(figure, "f_s (kPa)", divided(column(recording, &Reading::f_s), kPa),
-            reports::palette::vermillion);
-  add_panel(figure, "u_2 (kPa)", divided(column(recording, &Reading::u_2), kPa), reports::palette::blue);
+  add("f_s", "f_s (kPa)", &Reading::f_s, kPa, reports::palette::vermillion);
+  add("u_2", "u_2 (kPa)", &Reading::u_2, kPa, reports::palette::blue);
   if (!interpretation.why_no_behaviour.empty()) return;
   std::vector<double> R_f = interpretation.R_f, I_c;
   for (std::size_t i = 0; i < R_f.size(); ++i) {
@@ -80,6 +93,7 @@ std::string recording_plot(const Recording& recording, const Interpretation& int
   if (!std::isnan(figure.shaded_to)) note("grey: predrilled");
   if (!figure.marks.empty()) note("ticks at the right edge: stops of the push");
   if (interpretation.corrected) note("dashed: corrected for pore pressure");
+  if (!interpretation.spikes.empty()) note("circles: spikes");
   if (!figure.bands.empty()) note("zone: soil behaviour type");
   return reports::depth_panels(figure);
 }

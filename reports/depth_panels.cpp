@@ -50,6 +50,8 @@ void draw_panel(Svg& svg, const DepthPanels& figure, const DepthPanel& panel, co
   };
   curve(panel.values, {panel.color, 0.8, {}});
   if (!panel.beside.empty()) curve(panel.beside, {panel.beside_color, 0.7, "3 2"});
+  for (const std::size_t i : panel.circled)
+    svg.circle({axis(panel.values[i]), depth(figure.depth[i])}, 2.5, "none", {palette::ink, 0.7, {}});
   svg.end_clip();
   for (const double mark : figure.marks)
     svg.line({box.right() - 5.0, depth(mark)}, {box.right(), depth(mark)}, {palette::ink, 0.7, {}});

@@ -14,8 +14,9 @@ struct DepthPanel {
   Rich title;
   std::vector<double> values;  ///< one for each depth; NaN breaks the curve
   std::string_view color;
-  std::vector<double> beside = {};     ///< a second curve in the same unit, dashed; may be empty
-  std::string_view beside_color = {};  ///< of the second
+  std::vector<double> beside = {};        ///< a second curve in the same unit, dashed; may be empty
+  std::string_view beside_color = {};     ///< of the second
+  std::vector<std::size_t> circled = {};  ///< values that a small circle points out
 };
 
 /// A depth interval in a column of its own.

@@ -5,10 +5,17 @@
 #include <numbers>
 
 #include "recordings/inclination.hpp"
+#include "recordings/interpretation.hpp"
 #include "tests/recordings/files.hpp"
 
 namespace cpt::recordings {
 namespace {
+
+int odd_readings(const Interpretation& it) {
+  int readings = 0;
+  for (const OddSpeed& run : it.odd_speeds) readings += run.readings;
+  return readings;
+}
 
 class PublishedRecording : public testing::Test {
  protected:
@@ -74,6 +81,11 @@ TEST_F(PublishedRecording, GefWithNegativeCorrectedDepth) {
   EXPECT_NEAR(r.readings.back().length, 29.66, 1e-9);
   EXPECT_GE(stops(), 25) << "a rod each metre";
   EXPECT_EQ(of(&Reading::u_2).values, 0);
+  // A clock of whole seconds, steps of 10 and 20 mm.
+  const Interpretation it = interpret(r);
+  EXPECT_EQ(it.speed.source, SpeedSource::from_time);
+  EXPECT_NEAR(spread(it.speed.speed).median, 0.024, 0.001);
+  EXPECT_EQ(it.why_not_corrected, "the recording has no u_2");
 }
 
 TEST_F(PublishedRecording, GefInclinedBySeventeenDegrees) {
@@ -115,6 +127,13 @@ TEST_F(PublishedRecording, TillerClayWithRodChanges) {
   expect_has(remark(r, "stood still").found, "5.74, 7.74, 9.74");
   EXPECT_EQ(of(&Reading::u_2).values, 802);
   EXPECT_NEAR(r.q_c_zero.drift, 5400.0, 1.0);
+  // Clay below a crust of sand, pushed at standard speed.
+  const Interpretation it = interpret(r);
+  EXPECT_TRUE(it.corrected);
+  EXPECT_EQ(it.intervals.front().zone, 6);
+  EXPECT_EQ(it.intervals.back().zone, 3);
+  EXPECT_GT(it.intervals.back().to - it.intervals.back().from, 10.0);
+  EXPECT_LT(odd_readings(it), 10);
 }
 
 TEST_F(PublishedRecording, HalsenSiltWithItsDates) {
@@ -125,6 +144,12 @@ TEST_F(PublishedRecording, HalsenSiltWithItsDates) {
   // 11:11:54.002 to 11:49:15.748 of one day
   EXPECT_NEAR(of(&Reading::time).max - of(&Reading::time).min, 2241.746, 1e-3);
   EXPECT_NEAR(r.u_2_zero.drift, -86.6e3, 1.0);
+  // Pushed at half the standard speed on purpose.
+  const Interpretation it = interpret(r);
+  EXPECT_GT(odd_readings(it), 1600);
+  EXPECT_TRUE(std::any_of(it.spikes.begin(), it.spikes.end(), [&](const Spike& spike) {
+    return spike.quantity == "u_2" && r.readings[spike.reading].line == 1377;
+  })) << "1788.9 kPa between 311 and 311";
 }
 
 TEST_F(PublishedRecording, OysandSand) {

@@ -37,11 +37,13 @@ TEST(DepthPanels, ASecondCurveAndBandsBeside) {
   DepthPanels figure = two_panels();
   figure.panels[0].beside = {1.5, 2.0, 9.0};
   figure.panels[0].beside_color = "#abcdef";
+  figure.panels[1].circled = {2};
   figure.bands_title = plain("zone");
   figure.bands = {{0.5, 1.0, "3", "#0000aa"}, {1.0, 1.5, "6", "#00aa00"}, {7.0, 8.0, "9", "#aa0000"}};
   const std::string svg = depth_panels(figure);
   for (const char* part : {"#abcdef", ">zone<", ">3<", ">6<", "#0000aa", "#00aa00"})
     EXPECT_NE(svg.find(part), std::string::npos) << part;
+  EXPECT_NE(svg.find("<circle"), std::string::npos);
   EXPECT_EQ(svg.find("#aa0000"), std::string::npos) << "below the sounding";
 }
 
