@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "solver/lengths.hpp"
+
 namespace cpt::diagnosis {
 
 std::vector<Cell> cells_of(const std::vector<SoundingGrid>& soundings) {
@@ -25,7 +27,8 @@ VectorXd log_cell_means(const SoundingGrid& grid, std::span<const double> depth,
   VectorXd sum = VectorXd::Zero(grid.cells);
   VectorXd samples = VectorXd::Zero(grid.cells);
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    const double place = std::floor((depth[i] - grid.from) / grid.height);
+    // A reading on a cell's upper end belongs to it, whatever the rounding.
+    const double place = std::floor((depth[i] - grid.from) / grid.height + solver::length_rounding);
     if (!(place >= 0.0 && place < grid.cells)) continue;
     const auto cell = static_cast<Index>(place);
     // One bad sample spoils its cell: what is left of the cell is not its mean.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "parameters/designs/one_at_a_time.hpp"
+#include "solver/lengths.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -103,16 +104,16 @@ void check_windows(const Study& study, const QuantitySections& sections, const S
     const double width = fixed ? window.to - window.from : window.width;
     const std::string key = fmt::format("windows.{}", window.name);
     const Place place = places.windows[i];
-    if (window.to + margin > end && !sections.doubtful.contains("penetrometer.final_depth_m"))
+    if (solver::exceeds(window.to + margin, end) && !sections.doubtful.contains("penetrometer.final_depth_m"))
       errors.add(place, key,
                  fmt::format("reaches {:.6g} m, but the push ends at penetrometer.final_depth_m = {}",
                              window.to + margin, end),
                  deeper_hint(study, window.to + margin));
-    if (window.from - margin < start)
+    if (solver::falls_short(window.from - margin, start))
       errors.add(place, key,
                  fmt::format("starts at {:.6g} m, above the depth of the tip at the start, {:.4f} m",
                              window.from - margin, start));
-    if (width < bin && !sections.doubtful.contains("numerics.bin_height_m"))
+    if (solver::falls_short(width, bin) && !sections.doubtful.contains("numerics.bin_height_m"))
       errors.add(place, key,
                  fmt::format("is {} m wide, less than one bin of the recording, numerics.bin_height_m = {}",
                              width, bin));

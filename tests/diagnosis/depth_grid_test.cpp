@@ -32,6 +32,21 @@ TEST(DepthGrid, LeavesACellOutThatIsNotWhole) {
   EXPECT_THROW((void)complete_rows({y, VectorXd::Ones(3)}), std::invalid_argument);
 }
 
+// (0.09 - 0.04) / 0.005 falls short of 10 by rounding, (0.048 - 0.038) / 0.005 of 2, and so on.
+TEST(DepthGrid, AReadingOnAnEdgeBelongsToTheCellBelowWhateverTheRounding) {
+  int rounded_down = 0;
+  for (int from = 30; from < 60; ++from)
+    for (int cell = 0; cell < 10; ++cell) {
+      const SoundingGrid grid{from / 1000.0, 0.005, 10};
+      const double edge = (from + 5 * cell) / 1000.0;
+      rounded_down += (edge - grid.from) / grid.height < cell ? 1 : 0;
+      EXPECT_NEAR(log_cell_means(grid, std::vector<double>{edge}, std::vector<double>{1e6})(cell),
+                  std::log(1e6), 1e-12)
+          << from << " mm, cell " << cell;
+    }
+  EXPECT_GT(rounded_down, 10);
+}
+
 TEST(DepthGrid, LaysSoundingsEndToEnd) {
   const std::vector<Cell> cells = cells_of({{0.0, 0.1, 2}, {0.5, 0.2, 3}});
   ASSERT_EQ(cells.size(), 5U);
