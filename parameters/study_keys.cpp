@@ -72,7 +72,7 @@ std::vector<KeyTable> listed_tables() {
         {"centre",
          "text",
          "none",
-         "extreme of the baseline's q_c at the middle of the interval",
+         "extreme of the baseline's q_c at the middle of the interval; inside between_m, not at an end of it",
          least,
          most,
          {"baseline_peak", "baseline_trough"}},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace cpt::results {
 namespace {
@@ -19,11 +20,14 @@ Resolved<Interval> resolve_window(const parameters::Window& window, const solver
   using Kind = parameters::Window::Kind;
   if (window.kind == Kind::fixed) return {{window.from, window.to}, ""};
   const double sign = window.kind == Kind::peak ? 1.0 : -1.0;
+  const std::string_view extreme = window.kind == Kind::peak ? "peak" : "trough";
   double best = -std::numeric_limits<double>::infinity();
-  double centre = std::numeric_limits<double>::quiet_NaN();
+  double first = std::numeric_limits<double>::quiet_NaN(), last = first, centre = first;
   for (std::size_t i = 0; i < baseline.depth.size(); ++i) {
     const double depth = baseline.depth[i];
     if (!inside(depth, window.from, window.to) || !std::isfinite(baseline.q_c[i])) continue;
+    if (std::isnan(first)) first = depth;
+    last = depth;
     if (sign * baseline.q_c[i] > best) {
       best = sign * baseline.q_c[i];
       centre = depth;
@@ -32,7 +36,15 @@ Resolved<Interval> resolve_window(const parameters::Window& window, const solver
   if (std::isnan(centre))
     return {{},
             fmt::format("the baseline has no q_c between {} and {} m, where the {} of window {} is sought",
-                        window.from, window.to, window.kind == Kind::peak ? "peak" : "trough", window.name)};
+                        window.from, window.to, extreme, window.name)};
+  // There q_c still rises or falls beyond the range, or does not vary: it has no extreme to stand on.
+  if (centre == first || centre == last)
+    return {
+        {},
+        fmt::format("the baseline has no {} between {} and {} m: its {} q_c there lies at the {} end of the "
+                    "range, {:.6g} m; widen between_m of window {} past the {}",
+                    extreme, window.from, window.to, window.kind == Kind::peak ? "largest" : "least",
+                    centre == first ? "upper" : "lower", centre, window.name, extreme)};
   return {{centre - 0.5 * window.width, centre + 0.5 * window.width}, ""};
 }
 

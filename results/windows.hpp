@@ -30,7 +30,7 @@ struct Resolved {
 
 /// A fixed window is its interval. A peak (trough) window is centred on the bin with the largest (least) q_c
 /// of the baseline's curve between its `from` and `to`; the shallowest such bin if several tie. Bins whose
-/// q_c is not finite do not count.
+/// q_c is not finite do not count. The first or the last bin of the range is no extreme: a problem.
 [[nodiscard]] Resolved<Interval> resolve_window(const parameters::Window& window,
                                                 const solver::DepthProfile& baseline);
 

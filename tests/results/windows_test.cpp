@@ -23,17 +23,36 @@ TEST(Windows, PeakIsTheShallowestLargestAndTroughTheLeast) {
   ASSERT_TRUE(peak);
   EXPECT_DOUBLE_EQ(peak.value.from, 0.15);
   EXPECT_DOUBLE_EQ(peak.value.to, 0.25);
-  const auto trough = resolve_window({"w", Window::Kind::trough, 0.0, 0.45, 0.1}, profile);
+  const auto trough = resolve_window({"w", Window::Kind::trough, 0.2, 0.45, 0.1}, profile);
   ASSERT_TRUE(trough);
-  EXPECT_DOUBLE_EQ(trough.value.from, 0.05);
+  EXPECT_DOUBLE_EQ(trough.value.from, 0.25);
 }
 
 TEST(Windows, SearchStaysInItsRangeAndSkipsWhatIsNotANumber) {
   solver::DepthProfile holes = profile;
   holes.q_c[1] = std::numeric_limits<double>::quiet_NaN();
-  const auto peak = resolve_window({"w", Window::Kind::peak, 0.1, 0.3, 0.02}, holes);
+  const auto peak = resolve_window({"w", Window::Kind::peak, 0.1, 0.5, 0.02}, holes);
   ASSERT_TRUE(peak);
-  EXPECT_DOUBLE_EQ(peak.value.from, 0.29);
+  EXPECT_DOUBLE_EQ(peak.value.from, 0.39);
+}
+
+TEST(Windows, TheEdgeOfTheRangeIsNoExtreme) {
+  const solver::DepthProfile rising{{0.1, 0.2, 0.3, 0.4}, {1.0, 2.0, 3.0, 4.0}, {0, 0, 0, 0}};
+  const solver::DepthProfile level{{0.1, 0.2, 0.3, 0.4}, {2.0, 2.0, 2.0, 2.0}, {0, 0, 0, 0}};
+  const auto expect_problem = [](const Resolved<Interval>& window, const char* part) {
+    ASSERT_FALSE(window);
+    EXPECT_NE(window.problem.find(part), std::string::npos) << window.problem;
+  };
+  expect_problem(
+      resolve_window({"w", Window::Kind::peak, 0.1, 0.3, 0.02}, rising),
+      "no peak between 0.1 and 0.3 m: its largest q_c there lies at the lower end of the range, 0.3 m; "
+      "widen between_m of window w");
+  expect_problem(
+      resolve_window({"w", Window::Kind::trough, 0.1, 0.3, 0.02}, rising),
+      "no trough between 0.1 and 0.3 m: its least q_c there lies at the upper end of the range, 0.1 m");
+  expect_problem(resolve_window({"w", Window::Kind::trough, 0.1, 0.3, 0.02}, level), "no trough");
+  expect_problem(resolve_window({"w", Window::Kind::peak, 0.15, 0.25, 0.02}, rising), "no peak");  // one bin
+  expect_problem(resolve_window({"w", Window::Kind::peak, 0.0, 1.0, 0.02}, rising), "no peak");  // all of it
 }
 
 TEST(Windows, PeakWithoutBinsIsAProblemThatNamesRangeAndWindow) {
