@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "cli/study_argument.hpp"
+#include "parameters/written_number.hpp"
 
 namespace cpt::cli {
 
@@ -13,12 +13,14 @@ std::vector<double> parse_numbers(std::string_view option, const std::string& te
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    double value = 0.0;
-    const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, value);
-    if (error != std::errc{} || stop != text.data() + end || !std::isfinite(value))
+    const std::string word = text.substr(begin, end - begin);
+    const std::optional<double> value = parameters::written_number(word);
+    if (!value || !std::isfinite(*value)) {
+      const std::string hint = parameters::number_hint(word);
       throw BadInput(
-          fmt::format("{} {}: '{}' is not a number", option, text, text.substr(begin, end - begin)));
-    numbers.push_back(value);
+          fmt::format("{} {}: '{}' is not a number{}", option, text, word, hint.empty() ? "" : "; " + hint));
+    }
+    numbers.push_back(*value);
     begin = end + 1;
   }
   return numbers;

@@ -2,16 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
 #include "cli/export_format.hpp"
 #include "cli/study_argument.hpp"
+#include "parameters/written_number.hpp"
 #include "recordings/delimited.hpp"
 #include "results/campaign_tables.hpp"
 #include "results/json_document.hpp"
 #include "results/provenance.hpp"
 #include "results/schema.hpp"
+#include "solver/quantities.hpp"
 
 namespace cpt::cli {
 namespace {
@@ -36,7 +39,12 @@ std::string name_of(const std::filesystem::path& file, bool with_folder) {
 }
 
 parameters::FieldTable parsed(const std::string& bytes, const std::filesystem::path& file) {
-  const recordings::Decoded content = recordings::decoded(bytes);
+  const recordings::Decoded content = recordings::decoded(parameters::without_padding(bytes));
+  if (const std::size_t zero = content.text.find('\0'); zero != std::string::npos)
+    throw BadInput(fmt::format(
+        "{}:{}: error: holds a zero byte: is it UTF-16 (save it as UTF-8) or no text at all?", file.string(),
+        1 + std::count(content.text.begin(), content.text.begin() + static_cast<std::ptrdiff_t>(zero),
+                       '\n')));
   recordings::Problems problems(file.string());
   recordings::DelimitedTable read = recordings::read_delimited(content.text, problems);
   if (problems.any()) throw BadInput(recordings::format(problems.errors()));
@@ -58,6 +66,21 @@ void add_table(const std::filesystem::path& file, bool in_folder, TableFiles& fo
   found.files.push_back({name_of(file, in_folder), results::sha256(bytes)});
 }
 
+// A table under a wrong name would be left out in silence.
+void refuse_strangers(const std::filesystem::path& folder) {
+  std::vector<std::string_view> known(results::derived_tables().begin(), results::derived_tables().end());
+  for (const results::LedgerTable& table : results::ledger_tables()) known.push_back(table.name);
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() != ".csv" || std::ranges::find(known, name) != known.end()) continue;
+    const std::string_view near = solver::nearest_name(name, known);
+    throw BadInput(
+        fmt::format("{}: is no table of an export{}", entry.path().string(),
+                    near.empty() ? "; put it elsewhere" : fmt::format("; did you mean {}.csv?", near)));
+  }
+}
+
 }  // namespace
 
 bool is_export(const std::filesystem::path& source) {
@@ -75,6 +98,7 @@ TableFiles read_export(const std::filesystem::path& source) {
     if (found.tables.empty())
       throw BadInput(
           fmt::format("{}: holds none of the tables that campaign export writes", source.string()));
+    refuse_strangers(source);
     return found;
   }
   const std::string bytes = bytes_of(source);

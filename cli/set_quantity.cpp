@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "cli/study_argument.hpp"
+#include "parameters/written_number.hpp"
 #include "solver/quantities.hpp"
 
 namespace cpt::cli {
@@ -15,15 +15,21 @@ namespace {
 double parse_value(const solver::Quantity& quantity, std::string_view text) {
   if (!quantity.choices.empty()) {
     const auto found = std::find(quantity.choices.begin(), quantity.choices.end(), text);
-    if (found == quantity.choices.end())
-      throw BadInput(
-          fmt::format("{} = {}: must be one of {}", quantity.name, text, fmt::join(quantity.choices, ", ")));
+    if (found == quantity.choices.end()) {
+      const std::string_view near = solver::nearest_name(text, quantity.choices);
+      throw BadInput(fmt::format("{} = {}: must be one of {}{}", quantity.name, text,
+                                 fmt::join(quantity.choices, ", "),
+                                 near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+    }
     return static_cast<double>(found - quantity.choices.begin());
   }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size())
-    throw BadInput(fmt::format("{} = {}: not a number", quantity.name, text));
+  const std::optional<double> number = parameters::written_number(text);
+  if (!number) {
+    const std::string hint = parameters::number_hint(text);
+    throw BadInput(
+        fmt::format("{} = {}: not a number{}", quantity.name, text, hint.empty() ? "" : "; " + hint));
+  }
+  const double value = *number;
   // Negated, so that a value that is not a number fails too.
   if (!(value >= quantity.min && value <= quantity.max) || (quantity.integer && value != std::floor(value)))
     throw BadInput(fmt::format("{} = {}: must be {}{} to {} {}", quantity.name, text,

@@ -43,9 +43,11 @@ struct Member {
 struct SyntaxError {
   Place place;
   std::string message;
+  std::string hint;  ///< what to write instead, as far as that can be guessed; never empty
 };
 
-/// The document's root table, or the first thing in it that is not TOML.
+/// The document's root table, or the first thing in it that is not TOML. Padding behind the end (0x1A, zero
+/// bytes) does not count.
 [[nodiscard]] std::variant<Value, SyntaxError> parse_document(std::string_view toml);
 
 }  // namespace cpt::parameters

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
+#include "parameters/written_number.hpp"
 #include "solver/quantities.hpp"
 
 namespace cpt::parameters {
@@ -13,10 +13,9 @@ namespace {
 
 // "write 25, without quotes" for "25".
 std::string unquoted_hint(const std::string& text) {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  const bool whole = end != text.c_str() && *end == '\0' && std::isfinite(number);
-  return whole ? fmt::format("write {}, without quotes", text) : "";
+  const std::optional<double> number = written_number(text);
+  if (number && std::isfinite(*number)) return fmt::format("write {}, without quotes", *number);
+  return number_hint(text);
 }
 
 std::string wrong_type(Value::Kind expected, const Value& value) {

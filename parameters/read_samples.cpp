@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -15,6 +14,7 @@
 #include "parameters/fields.hpp"
 #include "parameters/read_quantities.hpp"
 #include "parameters/realization.hpp"
+#include "parameters/written_number.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -39,14 +39,6 @@ struct Meaning {
   std::size_t window = 0;
   double WindowResponse::*part = nullptr;
 };
-
-std::optional<double> number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 bool is_void(std::string_view text) {
   for (const std::string_view word : {"", "nan", "NaN", "NAN", "NA", "null"})
@@ -162,6 +154,7 @@ class Reader {
 
   void read_row(std::size_t index) {
     const std::vector<Field>& fields = table_.rows[index];
+    if (repeats_the_names(fields)) return;
     Sample sample;
     sample.place = fields.front().place;
     sample.responses.assign(study_.windows.size(), {none, none, none});
@@ -187,13 +180,22 @@ class Reader {
     samples_.push_back(std::move(sample));
   }
 
+  // Two files joined into one: the second one's rows may mean something else.
+  bool repeats_the_names(const std::vector<Field>& fields) {
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (fields[i].text != table_.names[i].text) return false;
+    errors_.add(fields.front().place, "", "the line of names stands here again",
+                "a table has one; were two files joined?");
+    return true;
+  }
+
   void add_input(Value& inputs, const solver::Quantity& quantity, const Field& field) {
     if (is_void(field.text))
       return errors_.add(field.place, std::string(quantity.name), "has no value",
                          "an input that all rows leave at the study's baseline needs no column");
     Value value;
     value.place = field.place;
-    const auto read = number(field.text);
+    const auto read = written_number(field.text);
     value.kind = read && quantity.choices.empty() ? Value::Kind::number : Value::Kind::text;
     value.number = read.value_or(0.0);
     value.text = field.text;
@@ -202,11 +204,11 @@ class Reader {
 
   double response(const Field& name, const Field& field) {
     if (is_void(field.text)) return none;
-    const auto read = number(field.text);
+    const auto read = written_number(field.text);
     if (!read || !std::isfinite(*read)) {
+      const std::string hint = number_hint(field.text);
       errors_.add(field.place, name.text, fmt::format("\"{}\" is not a finite number", field.text),
-                  field.text.find(',') == std::string::npos ? "empty or NaN where there is none"
-                                                            : "decimals follow a point, not a comma");
+                  hint.empty() ? "empty or NaN where there is none" : hint);
       return none;
     }
     return *read;

@@ -329,7 +329,7 @@ StudyOrErrors parse_study(std::string_view toml, const std::filesystem::path& fi
   ErrorList errors(file.string());
   const auto document = parse_document(toml);
   if (const auto* syntax = std::get_if<SyntaxError>(&document)) {
-    errors.add(syntax->place, "", syntax->message, "the rest of the file is checked once this is mended");
+    errors.add(syntax->place, "", syntax->message, syntax->hint);
     return errors.sorted();
   }
   const auto absolute = std::filesystem::absolute(file).lexically_normal();

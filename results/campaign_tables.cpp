@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "results/database.hpp"
@@ -81,6 +82,11 @@ Table curve_rows(const Snapshot& s) {
 const std::vector<LedgerTable>& ledger_tables() {
   static const std::vector<LedgerTable> tables = read_definitions();
   return tables;
+}
+
+std::span<const std::string_view> derived_tables() {
+  static constexpr std::array<std::string_view, 4> names = {"samples", "sensitivity", "tornado", "effects"};
+  return names;
 }
 
 std::vector<NamedTable> campaign_tables(const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "results/table_format.hpp"
@@ -28,8 +29,12 @@ struct LedgerTable {
 /// as it is stored but has one row a depth bin: realization, depth_m, q_c_Pa, f_s_Pa.
 [[nodiscard]] const std::vector<LedgerTable>& ledger_tables();
 
-/// All that a database holds, in the order of ledger_tables(); then what follows from it: samples
-/// (samples.hpp), sensitivity, tornado and effects. Read in one transaction; throws Error as read_snapshot.
+/// Tables of an export that follow from the others, beside which they are not read: samples (samples.hpp),
+/// sensitivity, tornado and effects.
+[[nodiscard]] std::span<const std::string_view> derived_tables();
+
+/// All that a database holds, in the order of ledger_tables(); then the derived ones. Read in one
+/// transaction; throws Error as read_snapshot.
 [[nodiscard]] std::vector<NamedTable> campaign_tables(const std::filesystem::path& database);
 
 }  // namespace cpt::results

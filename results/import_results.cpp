@@ -14,6 +14,7 @@
 
 #include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/fields.hpp"
+#include "parameters/written_number.hpp"
 #include "results/atomic_file.hpp"
 #include "results/campaign_tables.hpp"
 #include "results/database.hpp"
@@ -94,6 +95,8 @@ class TableImport {
       : tables_(tables), files_(files) {}
 
   RemarksOrErrors into(const std::filesystem::path& file) {
+    refuse_strangers();
+    if (!sound()) return errors_;
     make_database(file, [&](const Database& database) {
       for (const LedgerTable& definition : ledger_tables())
         // The noise of repeats follows from the averages; a table's errors would be those of others too.
@@ -126,6 +129,20 @@ class TableImport {
     problem(given.fields->file, place,
             place.line > 0 ? name : fmt::format("{}, row {}, {}", given.definition->name, row + 1, name),
             std::move(message), std::move(hint));
+  }
+
+  /// A table under a wrong name would be left out in silence.
+  void refuse_strangers() {
+    std::vector<std::string_view> known(derived_tables().begin(), derived_tables().end());
+    for (const LedgerTable& definition : ledger_tables()) known.push_back(definition.name);
+    std::set<std::string> seen;
+    for (const FieldTable& table : tables_) {
+      if (!seen.insert(table.name).second) problem(table.file, {}, table.name, "this table is there twice");
+      if (std::ranges::find(known, table.name) != known.end()) continue;
+      const std::string_view near = solver::nearest_name(table.name, known);
+      problem(table.file, {}, table.name, "is no table of an export",
+              near.empty() ? "" : fmt::format("did you mean {}?", near));
+    }
   }
 
   void add_table(const Database& database, const LedgerTable& definition) {
@@ -212,7 +229,7 @@ class TableImport {
     const auto value = parsed<double>(text);
     if (value && std::isfinite(*value)) return value;
     problem(given, row, column, fmt::format("\"{}\" is not a finite number", text),
-            text.find(',') == std::string::npos ? "" : "decimals follow a point, not a comma");
+            parameters::number_hint(text));
     return std::nullopt;
   }
 

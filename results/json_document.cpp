@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "parameters/fields.hpp"
+#include "parameters/written_number.hpp"
 
 namespace cpt::results {
 namespace {
@@ -40,6 +43,26 @@ Place place_of(std::string_view text, std::size_t byte) {
             return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
           }))};
 }
+
+/// Keys that an object has twice: of them only one would be kept.
+class KeysTwice {
+ public:
+  bool operator()(int /*depth*/, Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) open_.emplace_back();
+    if (event == Json::parse_event_t::object_end) open_.pop_back();
+    if (event != Json::parse_event_t::key) return true;
+    const auto& name = parsed.get_ref<const std::string&>();
+    if (open_.size() == 1) table_ = name;
+    if (!open_.back().insert(name).second && found_.empty())
+      found_ = open_.size() == 1 ? name : fmt::format("{} of a row of {}", name, table_);
+    return true;
+  }
+  [[nodiscard]] const std::string& found() const { return found_; }
+
+ private:
+  std::vector<std::set<std::string>> open_;  // of the objects around the present place
+  std::string table_, found_;
+};
 
 /// Names of the first row; every other has the same.
 void read_rows(const Json& rows, FieldTable& table, ErrorList& errors) {
@@ -96,14 +119,23 @@ std::string json_document(std::string_view format, int version, std::span<const 
 std::variant<std::vector<FieldTable>, std::vector<parameters::StudyError>> read_json_document(
     std::string_view json, const std::string& file, std::string_view format, int version) {
   ErrorList errors(file);
+  json = parameters::without_padding(json);
   Json document;
+  KeysTwice twice;
   try {
-    document = Json::parse(json);
+    document = Json::parse(json, std::ref(twice));
   } catch (const Json::parse_error& problem) {
-    errors.add(place_of(json, problem.byte), "", "is not JSON from here on");
+    errors.add(place_of(json, problem.byte), "", "is not JSON from here on",
+               json.starts_with("\xFF\xFE") || json.starts_with("\xFE\xFF")
+                   ? "the file is UTF-16: save it as UTF-8"
+                   : "");
     return errors.sorted();
   } catch (const Json::exception& problem) {  // a number too large for a double
     errors.add({}, "", fmt::format("cannot be read as JSON ({})", problem.what()));
+    return errors.sorted();
+  }
+  if (!twice.found().empty()) {
+    errors.add({}, twice.found(), "is there twice", "each table and each entry of a row stands once");
     return errors.sorted();
   }
   const auto says = document.is_object() ? document.find("format") : document.end();

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
+#include "parameters/written_number.hpp"
 #include "results/setup_text.hpp"
 
 namespace cpt::results {
@@ -56,10 +56,10 @@ std::string StoredPush::setting(const std::string& name_of_setting) const {
 
 double StoredPush::number(const std::string& name_of_setting) const {
   const std::string text = setting(name_of_setting);
-  double value = 0.0;
-  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc{})
-    throw Error(fmt::format("{}: {} = {} is no number", folder.string(), name_of_setting, text));
-  return value;
+  const auto value =
+      parameters::written_number(text.substr(0, text.find(" (SI")));  // as canonical_text has it
+  if (!value) throw Error(fmt::format("{}: {} = {} is no number", folder.string(), name_of_setting, text));
+  return *value;
 }
 
 StoredPush read_stored_push(const fs::path& folder_or_series) {

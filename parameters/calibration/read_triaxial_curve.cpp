@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <optional>
+
+#include "parameters/written_number.hpp"
+#include "solver/quantities.hpp"
 
 namespace cpt::calibration {
 namespace {
@@ -41,10 +44,14 @@ std::vector<Field> split(std::string_view line, char separator) {
 }
 
 std::optional<double> number(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const std::optional<double> value = parameters::written_number(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+// "; decimals follow a point, not a comma: 3.5"
+std::string hinted(std::string_view text) {
+  const std::string hint = parameters::number_hint(text);
+  return hint.empty() ? "" : "; " + hint;
 }
 
 class CurveReader {
@@ -55,6 +62,11 @@ class CurveReader {
 
   CurveOrProblems read(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a mark that some programs put first
+    text = parameters::without_padding(text);
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+      problem(0, "is UTF-16: save it as UTF-8");
+      return problems_;
+    }
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       ++line_;
@@ -90,6 +102,12 @@ class CurveReader {
     const std::string_view text = trimmed(comment.substr(equals + 1));
     if (key == "test") curve_.name = std::string(text);
     const int column = static_cast<int>(line.find('=')) + 2;
+    // A fact under a name that is nearly one of these would be lost; others are remarks of their own.
+    if (std::ranges::find(facts, key) == facts.end() && number(text.substr(0, text.find(' '))))
+      if (const std::string_view near = solver::nearest_name(key, facts); !near.empty())
+        problem(
+            static_cast<int>(line.find(key)) + 1,
+            fmt::format("{} = {} is not read; did you mean {}? Without = it is a remark", key, text, near));
     if (key == "p0_kPa") set(curve_.p_0, text, column, key, 0.01, 1.0e5, kPa);
     if (key == "e0") set(curve_.e_0, text, column, key, 0.1, 3.0, 1.0);
     if (key == "D_r_percent") set(curve_.D_r, text, column, key, 0.0, 120.0, percent);
@@ -99,7 +117,9 @@ class CurveReader {
            double scale) {
     const auto value = number(text);
     if (!value || *value < min || *value > max)
-      return problem(column, fmt::format("{} = {}: must be a number from {} to {}", key, text, min, max));
+      return problem(column, fmt::format("{} = {}: must be a number from {} to {}{}", key, text, min, max,
+                                         value ? "" : hinted(text)));
+    if (!std::isnan(target)) return problem(column, fmt::format("{} is there twice", key));
     target = *value * scale;
   }
 
@@ -118,9 +138,10 @@ class CurveReader {
         place_[k] = i;
       }
       if (!place_[k] && k != eps_v)
-        problem(1, fmt::format("there is no column {}; the first line that is no comment must name the "
-                               "columns eps_a_percent, q_kPa and, if measured, eps_v_percent",
-                               known[k]));
+        problem(1,
+                fmt::format("there is no column {} but {}; the first line that is no comment must name the "
+                            "columns eps_a_percent, q_kPa and, if measured, eps_v_percent",
+                            known[k], line.substr(0, 100)));
     }
     columns_ = names.size();
   }
@@ -135,14 +156,17 @@ class CurveReader {
       const auto found = number(field.text);
       if (!found)
         problem(field.column, fmt::format("{}: '{}' is not a number{}", known[k], field.text,
-                                          field.text.find(',') == std::string_view::npos
-                                              ? ""
-                                              : "; decimals follow a point, not a comma"));
+                                          field.text == known[k]
+                                              ? "; the line of names stands here again: are two tests joined?"
+                                              : hinted(field.text)));
       return found;
     };
     const auto strain = value(eps_a), stress = value(q);
     const auto volume = place_[eps_v] ? value(eps_v) : std::optional(not_given);
     if (!strain || !stress || !volume) return;
+    if (place_[eps_v] && std::abs(*volume) >= 100.0)
+      return problem(fields[*place_[eps_v]].column,
+                     fmt::format("eps_v_percent = {}: must be -100 to 100", *volume));
     const int column = fields[*place_[eps_a]].column;
     if (*strain < 0.0 || *strain >= 100.0)
       return problem(column, fmt::format("eps_a_percent = {}: must be 0 to 100", *strain));
@@ -162,6 +186,7 @@ class CurveReader {
 
   static constexpr std::array<std::string_view, 3> known = {"eps_a_percent", "q_kPa", "eps_v_percent"};
   static constexpr std::size_t eps_a = 0, q = 1, eps_v = 2;
+  static constexpr std::array<std::string_view, 4> facts = {"test", "p0_kPa", "e0", "D_r_percent"};
 
   std::string file_;
   TriaxialCurve curve_;

@@ -40,5 +40,43 @@ TEST(Document, SyntaxErrorsHaveAPlace) {
   }
 }
 
+TEST(Document, NumbersThatAreNotTomlsGetAHint) {
+  const std::pair<const char*, const char*> table[] = {
+      {"x = 0,5\n", "decimals follow a point, not a comma: 0.5"},
+      {"[fixed]\n\"sand.H\" = 2,5 # of the paper\n", "decimals follow a point, not a comma: 2.5"},
+      {"r = { baseline = 0,5, upper = 3 }\n", "decimals follow a point, not a comma: 0.5"},
+      {"r = { baseline = 36, upper = 4,5 }\n", "decimals follow a point, not a comma: 4.5"},
+      {"x = 1.5D3\n", "this number is written 1500"},
+      {"x = \xE2\x88\x92"
+       "5\n",
+       "this number is written -5"},
+      {"x = .5\n", "this number is written 0.5"},
+      {"x = 1 000\n", "thousands are not set apart: 1000"},
+      {"x = 25 kPa\n", "the number alone, without a unit: 25"},
+      {"x = 5%\n", "the number alone, without a unit: 5"},
+      {"preset = quick\n", "a text stands in quotes: \"quick\""},
+      {"\xFF\xFEx", "the file is UTF-16: save it as UTF-8"},
+      {"x = = 1\n", "the rest of the file is checked"},
+      {"x = 1\nx = 2\n", "the rest of the file is checked"}};
+  for (const auto& [text, hint] : table) {
+    const auto parsed = parse_document(text);
+    ASSERT_TRUE(std::holds_alternative<SyntaxError>(parsed)) << text;
+    EXPECT_NE(std::get<SyntaxError>(parsed).hint.find(hint), std::string::npos)
+        << text << std::get<SyntaxError>(parsed).hint;
+  }
+}
+
+TEST(Document, WhatOldSystemsPutBehindTheEndDoesNotCount) {
+  const auto parsed = parse_document(std::string_view("\xEF\xBB\xBFx = +5\r\n\x1A\0\0", 14));
+  ASSERT_TRUE(std::holds_alternative<Value>(parsed));
+  EXPECT_EQ(std::get<Value>(parsed).find("x")->value.number, 5.0);
+  for (const std::string_view text :
+       {std::string_view("x = 1\n\x1Ay = 2\n"), std::string_view("x = 1\n\0y = 2\n", 13)}) {
+    const auto refused = parse_document(text);
+    ASSERT_TRUE(std::holds_alternative<SyntaxError>(refused));
+    EXPECT_EQ(std::get<SyntaxError>(refused).place.line, 2);
+  }
+}
+
 }  // namespace
 }  // namespace cpt::parameters

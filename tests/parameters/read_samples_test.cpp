@@ -135,6 +135,64 @@ TEST(ReadSamples, ValuesAreCheckedAsAStudysAre) {
   expect_has(refusal("clay.s_u_kPa,deep.q_c_mean_kPa\n30,1\n"), "the profile has no clay");
 }
 
+// What tables from elsewhere may hold: read rightly or refused with the place, never in part.
+TEST(ReadSamples, NumbersWrittenOtherwiseAreReadOrRefused) {
+  const auto read = [](const std::string& H, const std::string& q_c) {
+    const auto samples = samples_of("sand.H;deep.q_c_mean_kPa\n" + H + ";" + q_c + "\n");
+    return samples.empty() ? std::pair(0.0, 0.0)
+                           : std::pair(samples[0].changes[0].value, samples[0].responses[0].mean);
+  };
+  for (const char* thirty : {"30", "+30", "30.0", "3e1", "3.0D+01", "0.3d2"}) {
+    EXPECT_EQ(read(thirty, "1").first, 30.0) << thirty;
+    EXPECT_EQ(read("30", thirty).second, 30.0) << thirty;
+  }
+  EXPECT_EQ(read("30",
+                 "\xE2\x88\x92"
+                 "2.5")
+                .second,
+            -2.5);
+  const std::pair<const char*, const char*> refused[] = {
+      {"30,5", "decimals follow a point, not a comma: 30.5"},
+      {"1 030", "thousands are not set apart: 1030"},
+      {"1'030.5", "thousands are not set apart: 1030.5"},
+      {"30 kPa", "the number alone, without a unit: 30"},
+      {"+-30", ""},
+      {"--30", ""},
+      {"30-5", ""},
+      {"30\x1A", ""},
+      {"30\xE2\x80\x93"
+       "5",
+       ""}};
+  for (const auto& [written, hint] : refused) {
+    const std::string input = refusal("sand.H;deep.q_c_mean_kPa\n25;1\n" + std::string(written) + ";2\n");
+    expect_has(input, "a.csv:3:1: error: sand.H: must be a number, not the text");
+    expect_has(input, hint);
+    const std::string average = refusal("sand.H;deep.q_c_mean_kPa\n25;1\n30;" + std::string(written) + "\n");
+    expect_has(average, "a.csv:3:4: error: deep.q_c_mean_kPa: ");
+    expect_has(average, hint);
+  }
+}
+
+TEST(ReadSamples, TheLineOfNamesAgainIsRefused) {
+  expect_has(refusal("sand.H,deep.q_c_mean_kPa\n30,1\nsand.H,deep.q_c_mean_kPa\n40,2\n"),
+             "a.csv:3:1: error: the line of names stands here again");
+}
+
+// As pandas writes its index.
+TEST(ReadSamples, AColumnWithoutANameIsRefusedWithItsPlace) {
+  recordings::Problems problems("a.csv");
+  (void)recordings::read_delimited(",sand.H,deep.q_c_mean_kPa\n0,30,1\n", problems);
+  ASSERT_TRUE(problems.any());
+  expect_has(recordings::format(problems.errors()), "a.csv:1:1: error: found a column without a name");
+  expect_has(refusal("Unnamed: 0,sand.H,deep.q_c_mean_kPa\n0,30,1\n"), "--ignore Unnamed: 0 leaves it out");
+}
+
+TEST(ReadSamples, AUnitWrittenInAnotherWayIsAnotherColumn) {
+  expect_has(refusal("sand.D_r (%),deep.q_c_mean_kPa\n30,1\n"), "did you mean sand.D_r_percent?");
+  expect_has(refusal("initial.sigma_v0_MPa,deep.q_c_mean_kPa\n30,1\n"), "did you mean initial.sigma_v0_kPa?");
+  expect_has(refusal("sand.H,deep.q_c_mean_MPa\n30,1\n"), "did you mean deep.q_c_mean_kPa?");
+}
+
 TEST(ReadSamples, StatusAndAveragesMustAgree) {
   const auto row = [](const std::string& cells) {
     return refusal("sand.H,status,deep.q_c_mean_kPa,deep.q_c_min_kPa\n" + cells + "\n");

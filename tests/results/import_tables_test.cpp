@@ -218,6 +218,33 @@ TEST_F(ImportTables, WhatIsWrongIsToldWithItsPlaceAndNothingIsWritten) {
              "campaign: has 0 rows");
 }
 
+// Under a wrong name, or twice, a table's rows would be lost in silence.
+TEST_F(ImportTables, TablesThatAreNoneOrTwiceAreRefused) {
+  expect_has(refusal([](Texts& texts) {
+               texts["curves"] = texts["curve"];
+               texts.erase("curve");
+             }),
+             "curves.csv: error: curves: is no table of an export\n    hint: did you mean curve?");
+  auto tables = *read_csv(as_csv(study.database));
+  tables.push_back(tables.front());
+  const auto result = import_tables(tables, sources, target);
+  ASSERT_EQ(result.index(), 1U);
+  expect_has(parameters::format(std::get<1>(result)), "this table is there twice");
+}
+
+TEST_F(ImportTables, NumbersWrittenOtherwiseAreRefusedWithAHint) {
+  const auto in_parameter = [&](const std::string& number) {
+    return refusal([&](Texts& texts) { replace(texts["parameter"], ",20,", "," + number + ","); });
+  };
+  expect_has(in_parameter("\"20,5\""), "decimals follow a point, not a comma: 20.5");
+  expect_has(in_parameter("\"1,020.5\""), "thousands are not set apart: 1020.5");
+  expect_has(in_parameter("20 kPa"), "the number alone, without a unit: 20");
+  for (const char* number : {"+20", "2D1", "+-20", "20-5",
+                             "\xE2\x88\x92"
+                             "20"})
+    expect_has(in_parameter(number), "is not a finite number");
+}
+
 TEST_F(ImportTables, ADatabaseThatIsThereIsLeftAlone) {
   const std::string before = all_of(study.database);
   const auto tables = read_csv(as_csv(study.database));
@@ -241,6 +268,17 @@ TEST(JsonDocument, WhatIsWrongIsTold) {
             std::string::npos);
   EXPECT_NE(refused(head + "\"layer\": [{\"a\": [1]}]}").find("row 1: \"a\" must be"), std::string::npos);
   EXPECT_NE(refused(head + "\"layer\": [{\"a\": 1e999}]}"), "");
+  EXPECT_NE(refused(head + "\"layer\": [{\"a\": 1}], \"layer\": [{\"a\": 2}]}").find("layer: is there twice"),
+            std::string::npos);
+  EXPECT_NE(refused(head + "\"layer\": [{\"a\": 1, \"a\": 2}]}").find("a of a row of layer: is there twice"),
+            std::string::npos);
+  EXPECT_NE(refused(head + "\"layer\": [{\"a\": 0,5}]}").find("a.json:1:"), std::string::npos);
+  EXPECT_NE(refused("\xFF\xFE{").find("the file is UTF-16"), std::string::npos);
+  EXPECT_EQ(
+      read_json_document(std::string_view("\xEF\xBB\xBF{\"format\": \"x\", \"version\": 4}\r\n\x1A\0", 39),
+                         "a.json", "x", 4)
+          .index(),
+      0U);
 }
 
 const std::vector<std::string> fragments = {"\n",        ",",
