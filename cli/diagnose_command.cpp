@@ -12,6 +12,7 @@
 #include "cli/realization_command.hpp"
 #include "cli/request_file.hpp"
 #include "cli/study_argument.hpp"
+#include "cli/study_remarks.hpp"
 #include "cli/study_runner.hpp"
 #include "diagnosis/answer_store.hpp"
 #include "diagnosis/assemble.hpp"
@@ -64,6 +65,7 @@ void diagnose_one(StudyRunner& runner, const RequestFile& asked, bool report) {
 }
 
 void print_plan(const RequestFile& asked) {
+  print_remarks(asked.study);
   for (const SoundingData& sounding : soundings_of(asked))
     fmt::print("{}: {} realizations, kept in {}\n", sounding.request.name,
                parameters::one_at_a_time(sounding.study.study).size(),
@@ -85,6 +87,7 @@ int run(const Arguments& arguments) {
     for (const RequestFile& one : asked) {
       StudyRunner runner(arguments.options, arguments.quiet, one.study_text, transport);
       if (asked.size() > 1) fmt::print("== {}\n", one.request.title);
+      if (!arguments.quiet) print_remarks(one.study);
       diagnose_one(runner, one, !arguments.no_report);
       ranks_lost = ranks_lost || runner.ranks_lost();
     }

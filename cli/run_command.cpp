@@ -14,6 +14,7 @@
 #include "cli/plan.hpp"
 #include "cli/realization_command.hpp"
 #include "cli/study_argument.hpp"
+#include "cli/study_remarks.hpp"
 #include "cli/study_report.hpp"
 
 namespace cpt::cli {
@@ -30,8 +31,11 @@ struct Arguments {
 };
 
 void report(const parameters::Study& study) {
-  const auto files =
-      write_study_report(results::read_snapshot(study.database), study.database, study.report_dir);
+  const results::Snapshot campaign = results::read_snapshot(study.database);
+  for (const results::WindowRow& window : campaign.windows)
+    if (!window.problem.empty())
+      fmt::print("note: window {} is undefined: {}\n", window.name, window.problem);
+  const auto files = write_study_report(campaign, study.database, study.report_dir);
   if (!files.empty()) fmt::print("report: {}\n", files.front().string());
 }
 
@@ -43,6 +47,7 @@ int exit_code(const campaign::Summary& summary) {
 int run_as_master(const Arguments& arguments, campaign::Transport& transport, bool& ranks_lost) {
   const campaign::Dismissal dismissal(transport);
   const StudyFile file = read_study_file(arguments.study);
+  if (!arguments.quiet) print_remarks(file.study);
   const auto style = arguments.quiet ? campaign::ProgressDisplay::Style::silent
                                      : campaign::ProgressDisplay::style_of(stderr);
   campaign::ProgressDisplay display(stderr, style);
@@ -67,6 +72,7 @@ int run(const Arguments& arguments) {
   if (arguments.validate || arguments.plan) {
     if (!first_rank) return all_well;
     const StudyFile file = read_study_file(arguments.study);
+    print_remarks(file.study);
     if (arguments.plan) print_plan(file.study);
     return arguments.validate ? validate(file.study) : all_well;
   }

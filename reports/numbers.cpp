@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "results/model_remarks.hpp"
+
 namespace cpt::reports {
 namespace {
 
@@ -113,6 +115,7 @@ std::string report_json(const Snapshot& s, const results::Effects& effects) {
   nlohmann::ordered_json all;
   all["campaign"] = rows(campaign_table(s)).at(0);
   all["imports"] = rows(import_table(s));
+  all["remarks"] = results::model_remarks(s);
   all["parameters"] = rows(parameter_table(s));
   all["windows"] = rows(window_table(s));
   all["realizations"] = rows(realization_table(s));

@@ -9,6 +9,7 @@
 
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
+#include "results/model_remarks.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -211,6 +212,7 @@ std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure
                                : fmt::format("program {}, solver {}; ", c.program_version, c.solver_version),
       c.created));
   write_imports(out, s);
+  for (const std::string& remark : results::model_remarks(s)) out.paragraph("Note: " + remark + ".");
   for (const auto& window : s.windows) write_indices(out, s, window);
   if (!effects.rows.empty())
     for (const auto& window : s.windows) write_effects(out, s, effects, window);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/constitutive/varying_tresca.hpp"
+#include "solver/point_grid.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -34,26 +35,6 @@ Soil soil_at(const Setup& setup, double depth, std::uint64_t id) {
     return last || mixing.upper_soil(-above_bottom, id) ? layer.soil : setup.layers[k + 1].soil;
   }
   return setup.layers.back().soil;
-}
-
-// The zones of the setup, cut or stretched to the chamber's wall, columns scaled to keep their spacing.
-std::vector<PointZone> zones_to_wall(const Setup& setup) {
-  std::vector<PointZone> zones;
-  double inner = 0.0;
-  for (const PointZone& zone : setup.numerics.zones) {
-    if (inner >= setup.chamber.radius - 1e-9) break;
-    const bool last =
-        &zone == &setup.numerics.zones.back() || zone.outer_radius >= setup.chamber.radius - 1e-9;
-    PointZone cut = zone;
-    if (last) {
-      cut.outer_radius = setup.chamber.radius;
-      const double spacing = (zone.outer_radius - inner) / zone.columns;
-      cut.columns = std::max(1, static_cast<int>(std::lround((cut.outer_radius - inner) / spacing)));
-    }
-    zones.push_back(cut);
-    inner = cut.outer_radius;
-  }
-  return zones;
 }
 
 }  // namespace
@@ -109,19 +90,13 @@ InitialState initial_state(const Setup& setup, const NorSand* sand, const LeftBe
   const double slope = 1.0 / std::tan(setup.penetrometer.apex / 2.0);
   const bool varying = strength_varies(setup.mechanisms);
   const bool layer = setup.chamber.surcharge == SurchargeKind::layer;
-  const double top = layer ? setup.chamber.surcharge_height : 0.0, bottom = -setup.chamber.soil_height;
-  const double shift = setup.numerics.point_shift;
 
   double id = 0.0;
-  double inner = 0.0;
-  for (const PointZone& zone : zones_to_wall(setup)) {
-    const int rows = static_cast<int>(std::lround((top - bottom) * zone.rows_per_metre));
-    const double dr = (zone.outer_radius - inner) / zone.columns, dz = (top - bottom) / rows;
-    for (int i = 0; i < zone.columns; ++i) {
-      // A shifted grid keeps its outline: the positions move within their own cell of the grid.
-      const double r = inner + (i + 0.5 + 0.5 * shift) * dr;
-      for (int j = 0; j < rows; ++j, ++id) {
-        const double z = bottom + (j + 0.5 + 0.5 * shift) * dz;
+  for (const PointGrid& grid : point_grids(setup)) {
+    for (int i = 0; i < grid.columns; ++i) {
+      const double r = grid.r(i);
+      for (int j = 0; j < grid.rows; ++j, ++id) {
+        const double z = grid.z(j);
         if (r < R_cone && z > (r - R_cone) * slope) continue;  // inside the penetrometer
 
         const bool in_surcharge = z > 0.0;
@@ -131,21 +106,21 @@ InitialState initial_state(const Setup& setup, const NorSand* sand, const LeftBe
         const double e = is_sand ? sand_void_ratio(setup, left, -z) : b.e;
         const double sigma_v = vertical_stress(setup, z), sigma_h = horizontal_stress(setup, left, z);
         const double s_rz = wall_shear(setup, left, z) * r / setup.chamber.radius;
-        const double volume = r * dr * dz;
+        const double volume = r * grid.dr * grid.dz;
         const double rho = in_surcharge ? surcharge_density(setup) : b.rho;
-        const bool loaded = !layer && j == rows - 1;
+        const bool loaded = !layer && j == grid.rows - 1;
         double p_i = 0.0;
         if (is_sand && sand) p_i = sand->initial_image_pressure(-sigma_h, -sigma_v, -sigma_h, s_rz, e);
         if (is_clay && varying) p_i = strength_at(setup.clay, setup.mechanisms, -z);
-        state.points.push_back({{r, z, 0.0, 0.0, -sigma_h, -sigma_v, -sigma_h, s_rz, rho * volume, volume, e,
-                                 p_i, 0.0, 0.0, loaded ? setup.initial.sigma_v0 * r * dr : 0.0, id, 0.0}});
+        state.points.push_back(
+            {{r, z, 0.0, 0.0, -sigma_h, -sigma_v, -sigma_h, s_rz, rho * volume, volume, e, p_i, 0.0, 0.0,
+              loaded ? setup.initial.sigma_v0 * r * grid.dr : 0.0, id, 0.0}});
         const Material material = in_surcharge         ? Material::surcharge
                                   : soil == Soil::sand ? Material::sand
                                                        : Material::clay;
         state.material.push_back(static_cast<std::int32_t>(material));
       }
     }
-    inner = zone.outer_radius;
   }
   return state;
 }

@@ -3,9 +3,11 @@
 #include <array>
 #include <cctype>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "solver/quantities.hpp"
+#include "solver/quantity_synonyms.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -66,37 +68,107 @@ HalfEdits quantity_distance(std::string_view name, std::string_view quantity) {
   return nearest;
 }
 
-// A name is near if at most half of its letters are edited.
+std::string_view group_of(std::string_view name) {
+  const std::size_t dot = name.find('.');
+  return dot == std::string_view::npos ? "" : name.substr(0, dot);
+}
+
+// The words of a name or a sentence, in lower case.
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> words(1);
+  for (const char c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (!words.back().empty())
+      words.emplace_back();
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+// The one whose meaning holds all words of the name: of the group, else of all; "" where there are several.
+std::string_view of_this_meaning(std::string_view group, std::string_view part) {
+  const std::vector<std::string> wanted = words_of(part);
+  if (part.size() < 4 || wanted.empty()) return "";
+  for (const bool own_group : {true, false}) {
+    std::string_view found;
+    int count = 0;
+    for (const Quantity& quantity : all_quantities()) {
+      if (own_group && group_of(quantity.name) != group) continue;
+      const std::vector<std::string> meaning = words_of(quantity.meaning);
+      if (!std::ranges::all_of(wanted, [&](const std::string& word) {
+            return std::ranges::find(meaning, word) != meaning.end();
+          }))
+        continue;
+      found = quantity.name;
+      ++count;
+    }
+    if (count == 1) return found;
+    if (count > 1) return "";
+  }
+  return "";
+}
+
+// The quantity of that name without regard to signs and case, or that the field calls so.
+std::string_view quantity_called(std::string_view name) {
+  const std::string word = squeezed(last_part(without_unit(name)));
+  if (word.empty()) return "";
+  std::string_view elsewhere;
+  const auto take = [&](std::string_view quantity) {
+    if (elsewhere.empty()) elsewhere = quantity;
+    return group_of(quantity) == group_of(name);
+  };
+  for (const Quantity& quantity : all_quantities())
+    if (squeezed(last_part(without_unit(quantity.name))) == word && take(quantity.name)) return quantity.name;
+  for (const Synonym& synonym : quantity_synonyms())
+    if (synonym.word == word && take(synonym.quantity)) return synonym.quantity;
+  return elsewhere;
+}
+
+constexpr std::size_t longest = 100;  // nobody means a name with more
+
+struct Near {
+  std::string_view name;
+  HalfEdits edits = far_away;
+};
+
 template <class Distance>
-std::string_view nearest(std::string_view name, std::size_t count, const Distance& candidate) {
-  constexpr std::size_t longest = 100;  // nobody means a quantity with this
-  if (name.empty() || name.size() > longest) return "";
-  std::string_view best;
-  HalfEdits smallest = far_away;
+Near nearest(std::string_view name, std::size_t count, const Distance& candidate) {
+  Near best;
+  if (name.empty() || name.size() > longest) return best;
   for (std::size_t i = 0; i < count; ++i) {
     const auto [text, edits] = candidate(i);
-    if (edits < smallest) {
-      smallest = edits;
-      best = text;
-    }
+    if (edits < best.edits) best = {text, edits};
   }
-  return smallest <= std::max<HalfEdits>(3, name.size()) ? best : std::string_view();
+  return best;
+}
+
+// A name is near if at most half of its letters are edited.
+std::string_view if_near(std::string_view name, const Near& found) {
+  return found.edits <= std::max<HalfEdits>(3, name.size()) ? found.name : std::string_view();
 }
 
 }  // namespace
 
 std::string_view nearest_quantity(std::string_view name) {
+  constexpr HalfEdits other_case = 1, one_letter = 2;
+  if (name.size() > longest) return "";
   const auto list = all_quantities();
-  return nearest(name, list.size(), [&](std::size_t i) {
+  const Near found = nearest(name, list.size(), [&](std::size_t i) {
     return std::pair(list[i].name, quantity_distance(name, list[i].name));
   });
+  if (found.edits <= other_case) return found.name;
+  if (const std::string_view called = quantity_called(name); !called.empty()) return called;
+  if (found.edits <= one_letter) return found.name;
+  const std::string_view meant = of_this_meaning(group_of(name), last_part(without_unit(name)));
+  return meant.empty() ? if_near(name, found) : meant;
 }
 
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> names) {
-  return nearest(name, names.size(), [&](std::size_t i) {
-    const HalfEdits edits = distance(name, names[i]);
-    return std::pair(names[i], is_part(name, names[i]) ? std::min<HalfEdits>(edits, 3) : edits);
-  });
+  return if_near(name, nearest(name, names.size(), [&](std::size_t i) {
+                   const HalfEdits edits = distance(name, names[i]);
+                   return std::pair(names[i],
+                                    is_part(name, names[i]) ? std::min<HalfEdits>(edits, 3) : edits);
+                 }));
 }
 
 }  // namespace cpt::solver

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/actual_setup.hpp"
 #include "solver/constitutive/critical_state_line.hpp"
 #include "solver/constitutive/norsand.hpp"
 #include "solver/initial_state.hpp"
+#include "solver/lengths.hpp"
+#include "solver/made_layers.hpp"
 #include "solver/quantities.hpp"
 #include "solver/refinement.hpp"
 
@@ -29,7 +32,10 @@ class Check {
     if (contains(setup_, Soil::sand)) sand();
     if (contains(setup_, Soil::clay) && sound_layers) clay();
     geometry();
-    if (zones()) cells();
+    if (!zones()) return problems_;
+    const std::size_t before = problems_.size();
+    cells();
+    if (sound_layers && problems_.size() == before) made();
     return problems_;
   }
 
@@ -52,6 +58,7 @@ class Check {
   void geometry();
   bool zones();
   void cells();
+  void made();
 
   [[nodiscard]] double face_height() const {
     return setup_.penetrometer.diameter / 2.0 / std::tan(setup_.penetrometer.apex / 2.0);
@@ -196,8 +203,8 @@ void Check::geometry() {
     add("penetrometer.final_depth_m",
         fmt::format("{} must exceed {:.4f} m, the depth of the tip at the start (the cone's height)",
                     given("penetrometer.final_depth_m"), face_height()));
-  if (penetrometer.final_depth + numerics.zone_below + 2.0 * numerics.near_height >
-      setup_.chamber.soil_height)
+  if (exceeds(penetrometer.final_depth + numerics.zone_below + 2.0 * numerics.near_height,
+              setup_.chamber.soil_height))
     add("penetrometer.final_depth_m",
         fmt::format("{} and {} leave no room for the compressing mesh above the bottom, {}",
                     given("penetrometer.final_depth_m"), given("numerics.zone_below_m"),
@@ -224,6 +231,29 @@ bool Check::zones() {
   return problems_.size() == before;
 }
 
+// Layers and lenses are made of whole rows of points; the first that is not made tells.
+void Check::made() {
+  const std::vector<Layer> layers = actual_setup(setup_).layers;
+  const bool shifted = setup_.mechanisms.layer_shift.shift != 0.0;
+  for (const Layer& layer : layers)
+    if (!(layer.bottom > layer.top + touching))
+      return add("layer_shift.shift_mm", fmt::format("{} leaves nothing of the layer down to {:.4g} m",
+                                                     given("layer_shift.shift_mm"), layer.bottom));
+  const std::vector<MadeInterval> all = made_layers(setup_);
+  const std::size_t zones = all.size() / layers.size();
+  for (std::size_t k = 0; k < layers.size() && zones > 0; ++k) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(k * zones);
+    const std::string why = not_made(setup_, {first, first + static_cast<std::ptrdiff_t>(zones)},
+                                     layers[k].soil == Soil::sand ? "the sand" : "the clay");
+    if (why.empty()) continue;
+    add(shifted ? "layer_shift.shift_mm" : "layers",
+        shifted ? fmt::format("with {}, {}", given("layer_shift.shift_mm"), why) : why);
+    break;
+  }
+  if (const std::string why = not_made(setup_, made_lens(setup_), "the density lens"); !why.empty())
+    add("density_lens.thickness_mm", fmt::format("with {}, {}", given("density_lens.thickness_mm"), why));
+}
+
 // A cell lower or narrower than the spacing of the material points is sure to be empty at some time, and
 // empty cells ruin a run. A margin of 1.2 is advisable; only the impossible is refused.
 void Check::cells() {
@@ -238,7 +268,7 @@ void Check::cells() {
       if (inner >= setup_.chamber.radius) return;
       const double cell = inner >= numerics.coarse_rows_radius ? 2.0 * height : height;
       const double spacing = 1.0 / zone.rows_per_metre;
-      if (cell < spacing)
+      if (falls_short(cell, spacing))
         return add(quantity,
                    fmt::format("with {}, cells {} are {:.2f} mm high in the zone up to {} m, less than the "
                                "{:.2f} mm between its rows of material points: cells would be empty",
@@ -257,7 +287,7 @@ void Check::cells() {
   const PointZone& first = numerics.zones.front();
   const double near_width = setup_.penetrometer.diameter / 2.0 / numerics.face_elements;
   const double spacing = first.outer_radius / first.columns;
-  if (near_width < spacing)
+  if (falls_short(near_width, spacing))
     add("numerics.face_elements",
         fmt::format("with {}, cells at the cone are {:.2f} mm wide, less than the {:.2f} mm between columns "
                     "of material "

@@ -16,6 +16,7 @@ function glance() {
     fact("preset", data.campaign.preset));
   byId("glance").append(
     el("progress", { max: runs.length, value: done, "aria-label": "realizations completed" }), facts);
+  for (const remark of data.remarks) byId("glance").append(el("p", { class: "warn" }, `Note: ${remark}.`));
   for (const window of data.windows) {
     const text = el("p", {}, el("strong", {}, window.name), " ");
     const rows = indices_in(window).filter(has_both);
