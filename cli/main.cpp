@@ -11,9 +11,10 @@
 #include "campaign/realization_child.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/misspelt.hpp"
 #include "cli/study_argument.hpp"
 #include "cli/version.hpp"
-#include "results/error.hpp"
+#include "results/query.hpp"
 #include "solver/quantities.hpp"
 #include "solver/simulate.hpp"
 
@@ -56,7 +57,10 @@ std::vector<std::string> command_line(int argc, char** argv, const CLI::App& pro
     words.insert(words.begin(), "run");
     return words;
   }
-  const std::string_view near = solver::nearest_name(first, commands);
+  const std::string study = first + ".toml";
+  const std::string_view near = std::filesystem::is_regular_file(study, ignored)
+                                    ? std::string_view(study)
+                                    : solver::nearest_name(first, commands);
   throw cli::BadInput(fmt::format("'{}' is neither a command nor a study file (NAME.toml){}", first,
                                   near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
 }
@@ -77,11 +81,16 @@ int run_program(int argc, char** argv) {
   std::vector<std::string> words = command_line(argc, argv, program);
   if (words.empty()) words.emplace_back("--help");
   try {
-    std::reverse(words.begin(), words.end());  // as CLI11 takes a vector
-    program.parse(words);
+    std::vector<std::string> reversed(words.rbegin(), words.rend());  // as CLI11 takes a vector
+    program.parse(reversed);
   } catch (const CLI::ParseError& end) {
     // --help and --version end here too, with code 0. Of several MPI ranks only the first speaks.
-    if (campaign::rank_from_environment() == 0) program.exit(end);
+    if (campaign::rank_from_environment() == 0) {
+      program.exit(end);
+      if (const std::string hint = cli::misspelt_hint(program, words, end);
+          end.get_exit_code() != 0 && !hint.empty())
+        fmt::print(stderr, "{}\n", hint);
+    }
     return end.get_exit_code() == 0 ? cli::all_well : cli::bad_input;
   }
   return action();
@@ -101,6 +110,8 @@ int main(int argc, char** argv) {
   try {
     return run_program(argc, argv);
   } catch (const cli::BadInput& problem) {
+    return complain(problem.what(), cli::bad_input);
+  } catch (const results::BadQuery& problem) {
     return complain(problem.what(), cli::bad_input);
   } catch (const results::Locked& problem) {
     return complain(problem.what(), cli::database_in_use);

@@ -5,7 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "cli/study_argument.hpp"
+#include "cli/input_kind.hpp"
+#include "cli/request_file.hpp"
 
 namespace cpt::cli {
 
@@ -13,10 +14,12 @@ PlanFile read_plan_file(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream.is_open()) throw BadInput(fmt::format("cannot read the plan {}", file.string()));
   const std::string text(std::istreambuf_iterator<char>(stream), {});
+  expect_kind(InputKind::plan, file, text);
   PlanFile read;
   const std::filesystem::path study_file = diagnosis::study_of_request(text, file);
   if (!study_file.empty()) {
-    StudyFile study = read_study_file(study_file);
+    StudyFile study =
+        study_of(study_file, diagnosis::request_problems(text, file, diagnosis::Recordings::to_be_made));
     read.study = std::move(study.study);
     read.study_text = std::move(study.text);
   }

@@ -46,6 +46,12 @@ int query(const Arguments& arguments) {
     throw BadInput(
         "the study has no [design]; of one-at-a-time runs, campaign query STUDY sensitivity tells");
   fmt::print("{}", results::format(table, arguments.format));
+  // They have no rows: what is missing must not be missed.
+  if (arguments.what == "windows")
+    for (const auto& row :
+         results::query_sql(database, "SELECT name, problem FROM depth_window WHERE problem <> ''").rows)
+      fmt::print(stderr, "note: window {} is undefined: {}\n", std::get<std::string>(row[0]),
+                 std::get<std::string>(row[1]));
   return all_well;
 }
 

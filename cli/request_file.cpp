@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "cli/study_argument.hpp"
+#include "cli/input_kind.hpp"
 #include "diagnosis/read_request.hpp"
 
 namespace cpt::cli {
@@ -23,14 +23,27 @@ recordings::Recording read_recording(const SoundingRequest& sounding) {
 
 }  // namespace
 
+StudyFile study_of(const std::filesystem::path& study,
+                   const std::vector<parameters::StudyError>& problems_of_request) {
+  try {
+    return read_study_file(study);
+  } catch (const BadInput& problem) {
+    if (problems_of_request.empty()) throw;
+    throw BadInput(fmt::format("{}{}{}", problem.what(),
+                               std::string_view(problem.what()).ends_with('\n') ? "" : "\n",
+                               parameters::format(problems_of_request)));
+  }
+}
+
 RequestFile read_request_file(const std::filesystem::path& file, const std::filesystem::path& recordings) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream.is_open()) throw BadInput(fmt::format("cannot read the request {}", file.string()));
   const std::string text(std::istreambuf_iterator<char>(stream), {});
+  expect_kind(InputKind::request, file, text);
   const std::filesystem::path study_file = study_of_request(text, file);
   RequestFile asked;
   if (!study_file.empty()) {
-    StudyFile study = read_study_file(study_file);
+    StudyFile study = study_of(study_file, request_problems(text, file, Recordings::given));
     asked.study = std::move(study.study);
     asked.study_text = std::move(study.text);
   }

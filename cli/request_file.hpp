@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <vector>
 
+#include "cli/study_argument.hpp"
 #include "diagnosis/assemble.hpp"
 #include "diagnosis/request.hpp"
+#include "parameters/study_error.hpp"
 
 namespace cpt::cli {
 
@@ -15,6 +17,11 @@ struct RequestFile {
   std::string study_text;
   diagnosis::Request request;
 };
+
+/// The study that a request or plan names. Throws BadInput with all that is wrong with it, and what is wrong
+/// with the request itself.
+[[nodiscard]] StudyFile study_of(const std::filesystem::path& study,
+                                 const std::vector<parameters::StudyError>& problems_of_request);
 
 /// Recordings that are not where the request says are looked for in `recordings`, if that is not empty.
 /// Throws BadInput with all that is wrong in request and study.

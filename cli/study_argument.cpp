@@ -5,10 +5,22 @@
 #include <fstream>
 #include <iterator>
 
+#include "cli/input_kind.hpp"
 #include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/read_study.hpp"
 
 namespace cpt::cli {
+namespace {
+
+// Whatever it is called.
+bool starts_as_database(const std::filesystem::path& file) {
+  std::string start(16, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start.starts_with("SQLite format 3");
+}
+
+}  // namespace
 
 StudyFile read_study_file(const std::filesystem::path& file) {
   std::error_code ignored;
@@ -16,6 +28,7 @@ StudyFile read_study_file(const std::filesystem::path& file) {
   if (!std::filesystem::is_directory(file, ignored)) stream.open(file, std::ios::binary);
   if (!stream.is_open()) throw BadInput(fmt::format("cannot read the study {}", file.string()));
   std::string text(std::istreambuf_iterator<char>(stream), {});
+  expect_kind(InputKind::study, file, text);
   auto parsed = parameters::parse_study(text, file);
   if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
     throw BadInput(parameters::format(*errors));
@@ -31,7 +44,8 @@ parameters::Realization find_realization(const parameters::Study& study, int id)
 }
 
 std::filesystem::path database_of(const std::filesystem::path& study_or_database) {
-  if (study_or_database.extension() == ".toml") return read_study_file(study_or_database).study.database;
+  if (study_or_database.extension() == ".toml" && !starts_as_database(study_or_database))
+    return read_study_file(study_or_database).study.database;
   return study_or_database;
 }
 

@@ -10,6 +10,7 @@
 #include "parameters/fields.hpp"
 #include "parameters/read_quantities.hpp"
 #include "recordings/csv.hpp"
+#include "solver/lengths.hpp"
 
 namespace cpt::diagnosis {
 namespace {
@@ -18,9 +19,14 @@ using namespace parameters;
 
 class RequestReader {
  public:
-  RequestReader(const Value& root, const std::filesystem::path& file, const Study& study,
+  /// Without a study what it would decide is not checked.
+  RequestReader(const Value& root, const std::filesystem::path& file, const Study* study,
                 Recordings recordings, ErrorList& errors)
-      : root_(root), study_(study), recordings_(recordings), errors_(errors) {
+      : root_(root),
+        known_(study != nullptr),
+        study_(known_ ? *study : no_study()),
+        recordings_(recordings),
+        errors_(errors) {
     request_.file = std::filesystem::absolute(file).lexically_normal();
     request_.name = request_.file.stem().string();
     request_.study = study.file;
@@ -43,7 +49,7 @@ class RequestReader {
     if (request_.soundings.empty() && errors_.empty())
       errors_.add({}, "soundings", "is missing: a diagnosis needs at least one recording",
                   "add [[soundings]] with recording, from_m and to_m");
-    if (request_.database == study_.database)
+    if (known_ && request_.database == study_.database)
       errors_.add({}, "",
                   fmt::format("the diagnosis would be written over the study's database {}",
                               study_.database.string()),
@@ -83,7 +89,7 @@ class RequestReader {
         errors_.add(item.place, "mechanisms", fmt::format("\"{}\" is not a mechanism", item.text),
                     near.empty() ? "`campaign list mechanisms` prints them"
                                  : fmt::format("did you mean \"{}\"?", near));
-      else if (!applies(*mechanism, study_.baseline))
+      else if (known_ && !applies(*mechanism, study_.baseline))
         errors_.add(item.place, "mechanisms",
                     fmt::format("\"{}\" acts on nothing in this study's profile", item.text));
       else if (std::ranges::count(request_.mechanisms, mechanism) > 0)
@@ -139,8 +145,14 @@ class RequestReader {
     read_count(*table, "repeats", request_.repeats);
     read_count(*table, "joint", request_.joint);
     read_count(*table, "confirm", request_.confirm);
-    if (const auto seed = number_field(*table, "options", "seed", false, errors_))
-      request_.seed = static_cast<std::uint64_t>(std::abs(*seed));
+    if (const auto seed = number_field(*table, "options", "seed", false, errors_)) {
+      constexpr double most = 1e15;  // beyond it not every whole number is a double
+      if (*seed == std::round(*seed) && *seed >= 0.0 && *seed <= most)
+        request_.seed = static_cast<std::uint64_t>(*seed);
+      else
+        errors_.add(table->find("seed")->value.place, "options.seed",
+                    fmt::format("{} must be a whole number from 0 to {}", *seed, most));
+    }
   }
 
   void read_columns(const Value& table, SoundingRequest& sounding) {
@@ -176,9 +188,9 @@ class RequestReader {
         errors_.add(fixed->place, joined(list, "fixed"), "must be a table of quantities and values");
       else
         for (const Setting& setting :
-             read_settings(fixed->value, joined(list, "fixed"), {}, study_.baseline, false, errors_))
+             read_settings(fixed->value, joined(list, "fixed"), {}, study_.baseline, !known_, errors_))
           sounding.changes.push_back({setting.quantity, setting.value});
-      check_bounds(fixed->place, joined(list, "fixed"), sounding);
+      if (known_) check_bounds(fixed->place, joined(list, "fixed"), sounding);
     }
     if (!from || !to) return;
     sounding.from = *from;
@@ -207,16 +219,16 @@ class RequestReader {
     const Place place = table.find("to_m")->value.place;
     const double final_depth = study_.baseline.penetrometer.final_depth;
     const double least = 10.0 * request_.cell_height;
-    if (sounding.to - sounding.from < least)
+    if (solver::falls_short(sounding.to - sounding.from, least))
       errors_.add(
           place, joined(list, "to_m"),
           fmt::format("{} m to {} m is less than 10 cells of the depth grid", sounding.from, sounding.to),
           fmt::format("compare at least {:g} m", least));
-    else if (sounding.to > final_depth + 1e-9)
+    else if (known_ && solver::exceeds(sounding.to, final_depth))
       errors_.add(place, joined(list, "to_m"),
                   fmt::format("{} m is below the end of the study's push, penetrometer.final_depth_m = {}",
                               sounding.to, final_depth));
-    else if (sounding.from < 0.03)
+    else if (solver::falls_short(sounding.from, 0.03))
       errors_.add(
           table.find("from_m")->value.place, joined(list, "from_m"),
           fmt::format("{} m lies within the start of the simulated push, whose cone is wished in place",
@@ -224,7 +236,13 @@ class RequestReader {
           "begin at 0.03 m or deeper");
   }
 
+  static const Study& no_study() {
+    static const Study none{};
+    return none;
+  }
+
   const Value& root_;
+  bool known_;
   const Study& study_;
   Recordings recordings_;
   ErrorList& errors_;
@@ -238,12 +256,23 @@ RequestOrErrors parse_request(std::string_view toml, const std::filesystem::path
   ErrorList errors(file.string());
   const auto document = parse_document(toml);
   if (const auto* syntax = std::get_if<SyntaxError>(&document)) {
-    errors.add(syntax->place, "", syntax->message, "the rest of the file is checked once this is mended");
+    errors.add(syntax->place, "", syntax->message, syntax->hint);
     return errors.sorted();
   }
-  Request request = RequestReader(std::get<Value>(document), file, study, recordings, errors).read();
+  Request request = RequestReader(std::get<Value>(document), file, &study, recordings, errors).read();
   if (!errors.empty()) return errors.sorted();
   return request;
+}
+
+std::vector<StudyError> request_problems(std::string_view toml, const std::filesystem::path& file,
+                                         Recordings recordings) {
+  ErrorList errors(file.string());
+  const auto document = parse_document(toml);
+  if (const auto* syntax = std::get_if<SyntaxError>(&document))
+    errors.add(syntax->place, "", syntax->message, syntax->hint);
+  else
+    (void)RequestReader(std::get<Value>(document), file, nullptr, recordings, errors).read();
+  return errors.sorted();
 }
 
 std::filesystem::path study_of_request(std::string_view toml, const std::filesystem::path& file) {

@@ -19,6 +19,7 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
 #include "diagnosis/request.hpp"
 #include "parameters/study_error.hpp"
@@ -37,6 +38,12 @@ enum class Recordings { given, to_be_made };
 [[nodiscard]] RequestOrErrors parse_request(std::string_view toml, const std::filesystem::path& file,
                                             const parameters::Study& study,
                                             Recordings recordings = Recordings::given);
+
+/// What is wrong with a request whatever its study holds; empty if nothing is. For where the study cannot be
+/// read.
+[[nodiscard]] std::vector<parameters::StudyError> request_problems(std::string_view toml,
+                                                                   const std::filesystem::path& file,
+                                                                   Recordings recordings);
 
 /// The study's path that a request names, absolute; empty if it names none or is not TOML (parse_request says
 /// why).

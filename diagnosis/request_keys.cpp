@@ -47,7 +47,7 @@ std::vector<parameters::KeyTable> listed_tables() {
          1000.0},
         {"joint", "whole number", "12", "runs that change all parameters of the study at once", 0.0, 1000.0},
         {"confirm", "whole number", "3", "mechanisms that are run fitted in the full solver", 0.0, 1000.0},
-        {"seed", "number", "1", "of the bootstraps"}}},
+        {"seed", "whole number", "1", "of the bootstraps", 0.0, 1e15}}},
       {"cases",
        false,
        "plans alone: how many cases of which kind (`campaign conceal`)",

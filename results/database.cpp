@@ -37,6 +37,9 @@ constexpr int busy_timeout_ms = 10'000;
       throw ConstraintViolation(detail);
     case SQLITE_BUSY:
       throw Error(fmt::format("{}: another program keeps the database busy ({})", file, detail));
+    case SQLITE_ERROR:
+      throw BadStatement(fmt::format("{}: {}", file, detail),
+                         connection != nullptr ? sqlite3_error_offset(connection) : -1);
     default:
       throw Error(fmt::format("{}: {}", file, detail));
   }
@@ -87,7 +90,7 @@ void Statement::compile(std::string_view sql) {
   const std::string_view rest = sql.substr(static_cast<std::size_t>(tail - sql.data()));
   if (rest.find_first_not_of(" \t\r\n;") != std::string_view::npos) {
     sqlite3_finalize(statement_);
-    throw Error(file_ + ": more than one SQL statement");
+    throw BadStatement(file_ + ": more than one SQL statement", -1);
   }
 }
 

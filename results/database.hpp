@@ -19,6 +19,12 @@ struct sqlite3_stmt;
 
 namespace cpt::results {
 
+/// A statement that SQLite does not understand; the message is SQLite's.
+struct BadStatement : Error {
+  BadStatement(const std::string& message, int place) : Error(message), byte(place) {}
+  int byte;  ///< of the statement, where that is known, else -1
+};
+
 /// A row that the schema refuses; `what()` is SQLite's message alone.
 struct ConstraintViolation : Error {
   using Error::Error;

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "results/database.hpp"
 #include "results/effects.hpp"
 #include "results/schema.hpp"
 #include "results/statement_rows.hpp"
+#include "solver/quantities.hpp"
 
 namespace cpt::results {
 namespace {
@@ -35,6 +38,44 @@ constexpr std::array<std::string_view, questions.size() - 1> statements = {
     "WHERE status NOT IN ('pending', 'running', 'completed') ORDER BY id",
 };
 
+// "2:15", in characters from 1.
+std::string place_in(std::string_view sql, int byte) {
+  const std::string_view before = sql.substr(0, static_cast<std::size_t>(byte));
+  const auto line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+  const auto characters = std::ranges::count_if(
+      before.substr(line_start), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+  return fmt::format("{}:{}", 1 + std::ranges::count(before, '\n'), 1 + characters);
+}
+
+// "; did you mean window?" for SQLite's "no such column: windw".
+std::string nearest_in(const Database& database, std::string_view complaint) {
+  const auto meant = [&](std::string_view about, const char* names_of) -> std::string {
+    const auto at = complaint.find(about);
+    if (at == complaint.npos) return "";
+    const std::string_view whole = complaint.substr(at + about.size());
+    const std::string_view name = whole.substr(whole.rfind('.') + 1);  // npos + 1 is 0
+    std::vector<std::string> names;
+    Statement rows = database.prepare(names_of);
+    while (rows.step()) names.push_back(rows.text(0));
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string_view near = solver::nearest_name(name, known);
+    return near.empty() ? "; docs/schema.md has all tables and columns"
+                        : fmt::format("; did you mean {}?", near);
+  };
+  constexpr const char* tables =
+      "SELECT name FROM sqlite_schema WHERE type IN ('table', 'view') ORDER BY name";
+  constexpr const char* columns =
+      "SELECT DISTINCT c.name FROM sqlite_schema AS t JOIN pragma_table_info(t.name) AS c "
+      "WHERE t.type IN ('table', 'view') ORDER BY c.name";
+  return meant("no such table: ", tables) + meant("no such column: ", columns);
+}
+
+Table rows_from(const std::filesystem::path& file, std::string_view sql) {
+  const Database database(file, Database::Mode::read_only);
+  check_schema(database);
+  return rows_of(database.prepare(sql));
+}
+
 }  // namespace
 
 std::span<const NamedQuery> named_queries() { return questions; }
@@ -46,20 +87,30 @@ Table query(const std::filesystem::path& database, std::string_view name) {
     return effects_table(effects);
   }
   for (std::size_t i = 0; i < statements.size(); ++i)
-    if (questions[i].name == name) return query_sql(database, statements[i]);
-  std::string known;
-  for (const NamedQuery& question : questions) known += fmt::format(" {}", question.name);
-  throw Error(fmt::format("unknown query '{}'; there are:{}", name, known));
+    if (questions[i].name == name) return rows_from(database, statements[i]);
+  std::vector<std::string_view> known;
+  for (const NamedQuery& question : questions) known.push_back(question.name);
+  const std::string_view near = solver::nearest_name(name, known);
+  throw BadQuery(fmt::format("unknown query '{}'; there are: {}{}", name, fmt::join(known, " "),
+                             near.empty() ? "" : fmt::format("; did you mean {}?", near)));
 }
 
 Table query_sql(const std::filesystem::path& file, std::string_view sql) {
   const Database database(file, Database::Mode::read_only);
   check_schema(database);
-  Statement statement = database.prepare(sql);
-  // The connection cannot write to the ledger anyway; ATTACH and the like would still reach other files.
-  if (!statement.read_only() || statement.columns() == 0)
-    throw Error(fmt::format("{}: only statements that read are run", file.string()));
-  return rows_of(std::move(statement));
+  if (sql.find_first_not_of(" \t\r\n;") == sql.npos) throw BadQuery("sql: the statement is empty");
+  try {
+    Statement statement = database.prepare(sql);
+    // The connection cannot write to the ledger anyway; ATTACH and the like would still reach other files.
+    if (!statement.read_only() || statement.columns() == 0)
+      throw BadQuery("sql: only statements that read are run");
+    return rows_of(std::move(statement));
+  } catch (const BadStatement& refused) {
+    const std::string_view complaint = std::string_view(refused.what()).substr(file.string().size() + 2);
+    const bool placed = refused.byte >= 0 && static_cast<std::size_t>(refused.byte) <= sql.size();
+    throw BadQuery(fmt::format("sql{}: {}{}", placed ? ":" + place_in(sql, refused.byte) : "", complaint,
+                               nearest_in(database, complaint)));
+  }
 }
 
 }  // namespace cpt::results

@@ -10,6 +10,11 @@
 
 namespace cpt::results {
 
+/// What was asked of a database is no question that it can answer.
+struct BadQuery : Error {
+  using Error::Error;
+};
+
 /// A named question and what it answers, for --help.
 struct NamedQuery {
   std::string_view name;
@@ -18,10 +23,11 @@ struct NamedQuery {
 /// realizations, windows, sensitivity, tornado, failures, effects.
 [[nodiscard]] std::span<const NamedQuery> named_queries();
 
-/// Answers a named query; throws Error for an unknown name or an unusable database.
+/// Answers a named query; throws BadQuery for an unknown name, Error for an unusable database.
 [[nodiscard]] Table query(const std::filesystem::path& database, std::string_view name);
 
-/// Runs one read-only SQL statement; throws Error with SQLite's message if it is wrong or would write.
+/// Runs one read-only SQL statement. Throws BadQuery if it is wrong or would write: "sql:1:8: " with SQLite's
+/// message and, for a table or column, the nearest that there is.
 [[nodiscard]] Table query_sql(const std::filesystem::path& database, std::string_view sql);
 
 }  // namespace cpt::results

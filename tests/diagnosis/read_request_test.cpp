@@ -58,6 +58,44 @@ TEST(ReadRequest, NamesTheStudyBesideItself) {
   EXPECT_TRUE(study_of_request("not toml at all [", "/d.toml").empty());
 }
 
+// 0.088 - 0.038 and its like fall short of 10 times 0.005 by rounding.
+TEST(ReadRequest, AnIntervalOfTenCellsIsTenCellsWhateverTheRounding) {
+  int rounded_down = 0;
+  for (int from = 30; from <= 240; ++from) {
+    const int to = from + 50;
+    rounded_down += to / 1000.0 - from / 1000.0 < 10.0 * 0.005 ? 1 : 0;
+    const std::string toml = "study = \"sand.toml\"\n[[soundings]]\nrecording = \"a.csv\"\nfrom_m = 0." +
+                             std::string(from < 100 ? "0" : "") + std::to_string(from) + "\nto_m = 0." +
+                             std::string(to < 100 ? "0" : "") + std::to_string(to) + "\n";
+    EXPECT_TRUE(errors_of(toml).empty()) << toml;
+  }
+  EXPECT_GT(rounded_down, 20);  // so that this would fail without the tolerance
+  EXPECT_EQ(errors_of("study = \"sand.toml\"\n[[soundings]]\nrecording = \"a.csv\"\nfrom_m = 0.04\nto_m = "
+                      "0.08999\n")
+                .size(),
+            1U);
+}
+
+// What is wrong with a request is told even where its study cannot be read.
+TEST(ReadRequest, WhatDoesNotHangOnTheStudyIsToldWithoutIt) {
+  const auto problems = [](const std::string& toml) {
+    return request_problems(toml, "/requests/d.toml", Recordings::given);
+  };
+  EXPECT_TRUE(
+      problems("study = \"none.toml\"\nmechanisms = [\"strain_softening\"]\n[[soundings]]\nrecording = "
+               "\"a.csv\"\nfrom_m = 0.04\nto_m = 2.5\nfixed = { \"clay.s_u_kPa\" = 20 }\n")
+          .empty());  // all of it may be right for that study
+  const auto found = problems(
+      "study = \"none.toml\"\ndepth = 3\nmechanisms = [\"lens\"]\n[options]\nrepeats = "
+      "1\nseed = 1.5\n[[soundings]]\nrecording = \"a.csv\"\nfrom_m = 0.01\nto_m = 0.2\n");
+  std::vector<std::string> keys;
+  for (const parameters::StudyError& error : found) keys.push_back(error.key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"depth", "mechanisms", "options.repeats", "options.seed",
+                                            "soundings.from_m"}))
+      << format(found);
+  EXPECT_EQ(problems("study = \"none.toml\"\ncell = 0,5\n").size(), 1U);
+}
+
 TEST(ReadRequest, ErrorsSayWhereWhatAndWhatInstead) {
   const std::string study = "study = \"sand.toml\"\n";
   struct Case {

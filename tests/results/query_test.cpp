@@ -47,6 +47,49 @@ TEST_F(Query, NothingCanBeWritten) {
   EXPECT_EQ(dump_without_times(study.database), before);
 }
 
+TEST_F(Query, AWrongStatementIsTheUsersAndToldWithItsPlace) {
+  const auto complaint = [&](std::string_view sql) -> std::string {
+    try {
+      (void)query_sql(study.database, sql);
+    } catch (const BadQuery& problem) {
+      return problem.what();
+    }
+    return "no BadQuery";
+  };
+  EXPECT_EQ(complaint("SELEC 1"), "sql:1:1: near \"SELEC\": syntax error");
+  EXPECT_EQ(complaint("select parameter,\n  staus from realization"),
+            "sql:2:3: no such column: staus; did you mean status?");
+  EXPECT_EQ(complaint("select * from realisation"),
+            "sql: no such table: realisation; did you mean realization?");
+  EXPECT_EQ(complaint("select r.staus from realization as r"),
+            "sql:1:8: no such column: r.staus; did you mean status?");
+  EXPECT_EQ(complaint("select qqqqqqqq from realization"),
+            "sql:1:8: no such column: qqqqqqqq; docs/schema.md has all tables and columns");
+  EXPECT_EQ(complaint(" ; "), "sql: the statement is empty");
+  EXPECT_EQ(complaint("select 1; select 2"), "sql: more than one SQL statement");
+  EXPECT_EQ(complaint("delete from curve"), "sql: only statements that read are run");
+  try {
+    (void)query(study.database, "sensitivty");
+    ADD_FAILURE();
+  } catch (const BadQuery& problem) {
+    EXPECT_NE(std::string(problem.what()).find("did you mean sensitivity?"), std::string::npos);
+  }
+}
+
+// Its reason stands where its indices would.
+TEST_F(Query, AWindowWithoutAnExtremeIsUndefinedWithItsReason) {
+  parameters::Study rising = study;
+  rising.windows[1] = {"peak", parameters::Window::Kind::peak, 0.25, 0.35, 0.010};  // q_c rises through it
+  Ledger ledger = open(rising);
+  const Table table =
+      query_sql(study.database, "SELECT DISTINCT note FROM sensitivity WHERE window = 'peak'");
+  ASSERT_EQ(table.rows.size(), 1u);
+  EXPECT_NE(std::get<std::string>(table.rows[0][0])
+                .find("undefined: the baseline has no peak between 0.25 and 0.35 m"),
+            std::string::npos);
+  EXPECT_EQ(query_sql(study.database, "SELECT * FROM window_mean WHERE window = 'peak'").rows.size(), 0u);
+}
+
 TEST_F(Query, MissingDatabaseSaysSo) {
   EXPECT_THROW((void)query_sql(folder / "none.sqlite", "SELECT 1"), Error);
   EXPECT_FALSE(std::filesystem::exists(folder / "none.sqlite"));
