@@ -142,8 +142,8 @@ TEST(Hints, LayersThatCannotBeMadeAreRefusedAndThoseThatAreOffAreTold) {
   for (const char* how : {"--validate", "--plan", "--no-report"}) {
     const Result refused = run(campaign({"run", study("0.062"), how, "--executor", FAKE_REALIZATION}));
     EXPECT_EQ(refused.exit_code, 2) << how;
-    expect_has(refused.err,
-               "seam.toml:11:1: error: layers: the clay from 0.06 to 0.062 m, 2 mm thick, would be 0 mm");
+    expect_has(refused.err, "seam.toml:11:");
+    expect_has(refused.err, "error: layers: the clay from 0.06 to 0.062 m, 2 mm thick, would be 0 mm");
     expect_has(refused.err, "wherever it lies is 31.9 mm, for the rows beyond r = 0.2 m");
     const Result told = run(campaign({"run", study("0.076"), how, "--executor", FAKE_REALIZATION}));
     EXPECT_EQ(told.exit_code, 0) << how << told.err << told.out;
