@@ -98,9 +98,14 @@ Table outcomes(bool) {
   using solver::Status;
   Table table{{"outcome", "meaning"}, {}};
   const std::pair<Status, const char*> meanings[] = {
-      {Status::completed, "pushed to the final depth, audit passed"},
-      {Status::did_not_converge, "the stress integration or the motion broke down"},
-      {Status::energy_drift, "the energy balance left its tolerance"},
+      {Status::completed,
+       "pushed to the final depth within the solver's limits; what its audit has out of line is told"},
+      {Status::did_not_converge,
+       "the stress integration or the motion broke down, mass changed, or 2 % of the cells lost their "
+       "points"},
+      {Status::energy_drift,
+       "kinetic energy above half of the penetrometer's work, after 20 mm: no slow push; energy_error ends "
+       "none"},
       {Status::time_limit, "wall-clock limit, or no step for too long"},
       {Status::invalid_parameters, "the inputs describe no possible model"},
       {Status::crashed, "its process died; the reason says how"},

@@ -50,9 +50,12 @@ void check_physics(const Study& study, const QuantitySections& sections, const S
     return std::any_of(of_baseline.begin(), of_baseline.end(),
                        [&](const solver::Problem& other) { return other.quantity == problem.quantity; });
   };
-  bool design_told = false;
+  bool design_told = false, repeats_seen = false;
   for (const Realization& realization : one_at_a_time(study)) {
     if (realization.side == Side::baseline) continue;
+    repeats_seen = repeats_seen || realization.side == Side::repeat;
+    // The pairs of repeats come last; what is wrong with them is so with their bound.
+    if (repeats_seen && realization.side == Side::point) break;
     if (realization.point >= 0) {
       const auto point = static_cast<std::size_t>(realization.point);
       const bool of_design = point - study.design.first_point < study.design.points;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <sstream>
 
 #include "parameters/check_study.hpp"
@@ -48,6 +49,7 @@ class StudyReader {
     read_points(!profile_known && layers.empty());
     read_design_points();
     read_repeats();
+    read_paired_repeats();
     read_windows();
     if (profile_known) check_study(study_, sections, places_, errors_);
     return std::move(study_);
@@ -216,6 +218,60 @@ class StudyReader {
       study_.points.push_back(std::move(point));
       places_.points.push_back(member->place);
     }
+  }
+
+  // Each bound of the named rows again with the shifts of the repeats: the same points at baseline and
+  // bounds.
+  void read_paired_repeats() {
+    const Member* member = root_.find("paired_repeats");
+    if (member == nullptr) return;
+    const std::vector<DesignPoint> all = study_.points;
+    if (std::ranges::none_of(all, &DesignPoint::repeat))
+      errors_.add(member->place, "paired_repeats", "wants repeats of the baseline to be paired with",
+                  "add repeats = 6");
+    if (member->value.kind != Value::Kind::array)
+      return errors_.add(member->value.place, "paired_repeats",
+                         fmt::format("must be an array of names, not {}", to_string(member->value.kind)),
+                         "such as paired_repeats = [\"sand.H\"]");
+    std::set<std::string> named;
+    for (const Value& item : member->value.items)
+      if (const Row* row = paired_row(item, named))
+        for (const DesignPoint& repeat : all)
+          if (repeat.repeat) {
+            if (row->lower != row->baseline) add_pair(repeat, *row, "lower", row->lower, member->place);
+            if (row->upper != row->baseline) add_pair(repeat, *row, "upper", row->upper, member->place);
+          }
+  }
+
+  const Row* paired_row(const Value& item, std::set<std::string>& named) {
+    const auto row = std::ranges::find_if(study_.rows, [&](const Row& r) {
+      return item.kind == Value::Kind::text && r.quantity->name == item.text;
+    });
+    std::vector<std::string_view> names;
+    for (const Row& r : study_.rows) names.push_back(r.quantity->name);
+    const std::string_view near =
+        item.kind == Value::Kind::text ? solver::nearest_name(item.text, names) : std::string_view();
+    if (row == study_.rows.end())
+      errors_.add(item.place, "paired_repeats",
+                  item.kind == Value::Kind::text
+                      ? fmt::format("\"{}\" is no row of [parameters]", item.text)
+                      : fmt::format("must hold names, not {}", to_string(item.kind)),
+                  near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
+    else if (!named.insert(item.text).second)
+      errors_.add(item.place, "paired_repeats", fmt::format("\"{}\" is named twice", item.text));
+    else if (row->quantity->name == "numerics.point_shift")
+      errors_.add(item.place, "paired_repeats", "the shift of the points is what repeats change");
+    else
+      return &*row;
+    return nullptr;
+  }
+
+  void add_pair(const DesignPoint& repeat, const Row& row, std::string_view side, double value,
+                const Place& place) {
+    DesignPoint point{fmt::format("{}, {} {}", repeat.name, row.quantity->name, side), repeat.changes};
+    point.changes.push_back({row.quantity, value});
+    study_.points.push_back(std::move(point));
+    places_.points.push_back(place);
   }
 
   void read_windows() {

@@ -4,6 +4,7 @@
 //   profile = "homogeneous_sand"        # required: homogeneous_sand, homogeneous_clay, layered_sand_clay
 //   preset = "quick"                    # quick, standard (default), paper, fine
 //   repeats = 6                         # optional: even, 2 to 20; the baseline with shifted points
+//   paired_repeats = ["sand.H"]         # optional: rows whose bounds are run with the same shifts
 //
 //   [output]                            # optional; relative paths start at the study file's folder
 //   database = "sand.sqlite"            # default NAME.sqlite for the study NAME.toml

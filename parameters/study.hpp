@@ -64,9 +64,10 @@ struct Study {
   std::string title;           ///< for reports; defaults to the name
   solver::Profile profile;
   solver::Preset preset;
-  solver::Setup baseline;           ///< preset + fixed inputs + every row's baseline
-  std::vector<Row> rows;            ///< in file order
-  std::vector<DesignPoint> points;  ///< in file order, then the design's, then the repeats
+  solver::Setup baseline;  ///< preset + fixed inputs + every row's baseline
+  std::vector<Row> rows;   ///< in file order
+  /// In file order, then the design's, then the repeats, then the bounds of rows with the repeats' shifts.
+  std::vector<DesignPoint> points;
   Design design;
   std::vector<Window> windows;       ///< at least one
   std::filesystem::path database;    ///< default NAME.sqlite beside the study

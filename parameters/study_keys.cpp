@@ -27,7 +27,10 @@ std::vector<KeyTable> listed_tables() {
         {"preset", "text", "standard", "resolution of the model", least, most,
          names_of(solver::all_presets())},
         {"repeats", "even number", "none",
-         "runs of the baseline with shifted material points: their scatter is noise", 2.0, 20.0}}},
+         "runs of the baseline with shifted material points: their scatter is noise", 2.0, 20.0},
+        {"paired_repeats", "names of rows", "none",
+         "rows whose bounds are run with the shifts of the repeats, too: the scatter of their index gives "
+         "its interval"}}},
       {"output",
        false,
        "where results go; relative paths start at the study's folder",

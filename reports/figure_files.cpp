@@ -7,6 +7,7 @@
 #include <set>
 
 #include "reports/figures.hpp"
+#include "reports/labels.hpp"
 #include "reports/png.hpp"
 
 namespace cpt::reports {
@@ -59,16 +60,19 @@ std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign, con
   std::set<std::string> taken;
   for (const results::WindowRow& window : campaign.windows) {
     const std::string part = file_part(window.name, taken);
+    const bool repeated = repeat_noise_of(campaign, window.name) != nullptr;
     figures.push_back({"tornado_" + part,
                        fmt::format("Range of the average cone resistance in window {} between each input's "
                                    "lower and upper bound, whose values stand at the bar's ends.",
                                    window.name),
                        tornado_figure(campaign, window, column)});
-    figures.push_back({"sensitivity_" + part,
-                       fmt::format("Sensitivity index of each input in window {}; the dashed line is the "
-                                   "noise of the baseline.",
-                                   window.name),
-                       sensitivity_figure(campaign, window, column)});
+    figures.push_back(
+        {"sensitivity_" + part,
+         fmt::format("Sensitivity index of each input in window {}{}; the dashed line is "
+                     "SI_noise, the spread of the baseline inside the window{}.",
+                     window.name, repeated ? " with its own 95 % interval, which says what is noise" : "",
+                     repeated ? "" : ", which says what is noise"),
+         sensitivity_figure(campaign, window, column)});
     figures.push_back({"effects_" + part,
                        fmt::format("What the design {} says of the inputs in window {}, with 95 % intervals.",
                                    effects.design, window.name),

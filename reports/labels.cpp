@@ -55,9 +55,7 @@ const results::RepeatNoiseRow* repeat_noise_of(const Snapshot& campaign, std::st
   return found == campaign.repeat_noise.end() ? nullptr : &*found;
 }
 
-bool within_noise(const results::SensitivityRow& row) {
-  return !row.above_noise.value_or(true) || !row.above_repeats.value_or(true);
-}
+bool within_noise(const results::SensitivityRow& row) { return !row.above_noise.value_or(true); }
 
 Rich symbol_of(const Snapshot& campaign, const ParameterRow& parameter) {
   const auto same = std::count_if(campaign.parameters.begin(), campaign.parameters.end(),

@@ -20,7 +20,7 @@ namespace cpt::reports {
 /// What the repeats of the baseline say of a window; nullptr without repeats.
 [[nodiscard]] const results::RepeatNoiseRow* repeat_noise_of(const results::Snapshot& campaign,
                                                              std::string_view window);
-/// True where the index is known to lie within the noise of the baseline's curve or of its repeats.
+/// True where the index is known to lie within the noise: that of the repeats, without them SI_noise.
 [[nodiscard]] bool within_noise(const results::SensitivityRow& row);
 [[nodiscard]] std::vector<results::SensitivityRow> sensitivity_in(const results::Snapshot& campaign,
                                                                   std::string_view window);

@@ -66,28 +66,29 @@ Table repeat_noise_table(const Snapshot& s) {
 }  // namespace
 
 Table sensitivity_table(const Snapshot& s) {
-  Table table{{"window", "parameter", "q_lower_kPa", "q_upper_kPa", "q_baseline_kPa", "si", "si_abs",
-               "si_noise", "above_noise", "si_half_width", "above_repeats", "note"},
-              {}};
+  Table table{
+      {"window", "parameter", "q_lower_kPa", "q_upper_kPa", "q_baseline_kPa", "si", "si_abs", "si_noise",
+       "above_noise", "si_half_width", "above_repeats", "above_si_noise", "pairs", "note"},
+      {}};
   for (const auto& r : s.sensitivity)
     add_row(table, r.window, r.parameter, number_or_empty(r.q_lower_kPa), number_or_empty(r.q_upper_kPa),
             number_or_empty(r.q_baseline_kPa), number_or_empty(r.si), number_or_empty(r.si_abs),
             number_or_empty(r.si_noise), flag(r.above_noise), number_or_empty(r.si_half_width),
-            flag(r.above_repeats), r.note);
+            flag(r.above_repeats), flag(r.above_si_noise), r.pairs > 0 ? whole(r.pairs) : Cell(), r.note);
   return table;
 }
 
 Table realization_table(const Snapshot& s) {
   Table table{{"id", "parameter", "side", "value", "status", "reason", "wall_s", "steps", "material_points",
                "mass_error", "momentum_error", "energy_error", "kinetic_fraction", "max_empty_cells",
-               "settings_hash", "solver_version"},
+               "out_of_line", "settings_hash", "solver_version"},
               {}};
   for (const auto& r : s.realizations)
     add_row(table, whole(r.id), r.parameter, r.side, r.value_text, r.status, r.reason,
             number_or_empty(r.wall_s), whole(r.steps), whole(r.material_points),
             number_or_empty(r.audit.mass_error), number_or_empty(r.audit.momentum_error),
             number_or_empty(r.audit.energy_error), number_or_empty(r.audit.kinetic_fraction),
-            whole(r.audit.max_empty_cells), r.settings_hash, r.solver_version);
+            whole(r.audit.max_empty_cells), r.out_of_line, r.settings_hash, r.solver_version);
   return table;
 }
 

@@ -72,7 +72,8 @@ FlowLegend make_legend(const SensitivityRow& row) {
   };
   legend.add(9.0, plain("positive"), patch(palette::blue));
   legend.add(9.0, plain("negative"), patch(palette::orange));
-  legend.add(18.0, plain("within noise"), [](Svg& svg, Point at) {
+  const bool repeated = std::isfinite(row.si_half_width);
+  legend.add(18.0, plain(repeated ? "within the repeats' noise" : "within noise"), [](Svg& svg, Point at) {
     svg.rectangle({at.x, at.y - 3.5, 9.0, 7.0}, palette::blue, 0.4);
     svg.rectangle({at.x + 9.0, at.y - 3.5, 9.0, 7.0}, palette::orange, 0.4);
   });
@@ -80,7 +81,7 @@ FlowLegend make_legend(const SensitivityRow& row) {
     legend.add(16.0, symbolic("SI_noise") + plain(" = " + decimals(row.si_noise, 4)), [](Svg& svg, Point at) {
       svg.line(at, {at.x + 16.0, at.y}, {palette::ink, 1.0, "4 2.5"});
     });
-  if (std::isfinite(row.si_half_width))
+  if (repeated)
     legend.add(12.0, plain("95 %, repeats"), [](Svg& svg, Point at) {
       svg.line(at, {at.x + 12.0, at.y}, {palette::ink, 0.9, {}});
       for (const double end : {at.x, at.x + 12.0})
@@ -115,7 +116,10 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
       draw_heading(svg, campaign, campaign.campaign.title, {window_line(window, what, figure_width)});
   const double left = 14.0 + label_width + 8.0;
   const Box plot{left, top + 4.0, figure_width - 14.0 - left, plot_height};
-  const double largest = std::max(end_of(rows.front()), std::isfinite(noise) ? noise : 0.0);
+  // The widest interval need not be that of the largest index.
+  double largest = std::isfinite(noise) ? noise : 0.0;
+  for (const SensitivityRow& row : rows)
+    if (std::isfinite(row.si)) largest = std::max(largest, end_of(row));
   const double high = largest > 0.0 ? largest * plot.width / (plot.width - value_room) : 1.0;
   const Axis axis{0.0, high, plot.x, plot.right()};
 

@@ -9,6 +9,7 @@
 
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
+#include "results/audit_bounds.hpp"
 #include "results/model_remarks.hpp"
 
 namespace cpt::reports {
@@ -122,16 +123,26 @@ class Writer {
   std::vector<PdfPage> pages_;
 };
 
-/// Which inputs stand above both noises, in words.
+/// Which inputs stand above the noise, in words, and how many by the paper's definition; empty where nothing
+/// says what is noise.
 std::string loud_inputs(const Snapshot& s, const std::vector<results::SensitivityRow>& rows) {
+  if (std::ranges::none_of(rows, [](const auto& row) { return row.above_noise.has_value(); })) return "";
   std::string names;
   for (const auto& row : rows)
     if (std::isfinite(row.si) && !within_noise(row)) {
       names += names.empty() ? "" : ", ";
       for (const Span& span : symbol_of(s, parameter_of(s, row.parameter))) names += span.text;
     }
-  return names.empty() ? "No input is above the noise of the baseline and of its repeats."
-                       : "Above the noise of the baseline and of its repeats: " + names + ".";
+  const bool repeated =
+      std::ranges::any_of(rows, [](const auto& row) { return row.above_repeats.has_value(); });
+  const std::string noise = repeated ? "the noise of the repeats" : "the noise of the baseline";
+  std::string text =
+      names.empty() ? "No input is above " + noise + "." : "Above " + noise + ": " + names + ".";
+  if (repeated && std::isfinite(rows.front().si_noise))
+    text +=
+        fmt::format(" By SI_noise, the paper's definition, {} would be.",
+                    std::ranges::count_if(rows, [](const auto& row) { return row.above_si_noise == true; }));
+  return text;
 }
 
 void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& window) {
@@ -143,17 +154,23 @@ void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& win
     const auto rank = [](double si) { return si >= 0.0 ? si : -1.0; };
     return rank(a.si_abs) > rank(b.si_abs);
   });
-  out.paragraph(
-      fmt::format("Average cone resistance over {}: {} kPa in the baseline, whose noise index is {}. SI = (q "
-                  "at the upper bound − q "
-                  "at the lower bound) / q at the upper bound, after Yost et al. (2023), eq. 3.",
-                  depth_range(window.from_m, window.to_m), number(rows.front().q_baseline_kPa, 5),
-                  decimals(rows.front().si_noise, 4)));
+  out.paragraph(fmt::format(
+      "Average cone resistance over {}: {} kPa in the baseline, whose spread inside the window, "
+      "SI_noise, is {}. SI = (q at the upper bound − q at the lower bound) / q at the upper bound, "
+      "after Yost et al. (2023), eq. 3.",
+      depth_range(window.from_m, window.to_m), number(rows.front().q_baseline_kPa, 5),
+      decimals(rows.front().si_noise, 4)));
   if (const auto* noise = repeat_noise_of(s, window.name))
     out.paragraph(fmt::format(
-        "± is half the 95 % interval of SI from {} runs of the baseline with shifted material points, "
-        "which scatter by {} kPa (standard deviation). {}",
-        noise->runs, number(noise->q_c_deviation_kPa, 3), loud_inputs(s, rows)));
+        "± is half the row's own 95 % interval of SI from {} runs of the baseline with shifted material "
+        "points, which scatter by {} kPa (standard deviation){}. {}",
+        noise->runs, number(noise->q_c_deviation_kPa, 3),
+        std::ranges::any_of(rows, [](const auto& row) { return row.pairs > 0; })
+            ? ", or, where its bounds were repeated, too, from these pairs"
+            : "",
+        loud_inputs(s, rows)));
+  else if (const std::string words = loud_inputs(s, rows); !words.empty())
+    out.paragraph(words);
   const std::vector<double> widths = {58, 42, 44, 42, 68, 68, 42, 38, column - 402};
   out.row({plain("input"), plain("lower"), plain("baseline"), plain("upper"), plain("q lower (kPa)"),
            plain("q upper (kPa)"), plain("SI (-)"), plain("± (-)"), plain("note")},
@@ -190,6 +207,30 @@ void write_effects(Writer& out, const Snapshot& s, const results::Effects& effec
   }
 }
 
+/// Completed runs whose balances are out of line.
+void write_audit(Writer& out, const Snapshot& s) {
+  if (std::ranges::all_of(s.realizations, [](const auto& run) { return run.out_of_line.empty(); })) return;
+  out.heading("Runs out of line");
+  out.paragraph(
+      fmt::format("Completed, but more than {:.0f} % of the penetrometer's work (energy), {:.0f} % of its "
+                  "impulse (momentum) "
+                  "or {:.0f} % of its work in motion (kinetic energy) is open, or cells lost their points. "
+                  "Indices that rest "
+                  "on them say so.",
+                  100.0 * results::most_energy_error, 100.0 * results::most_momentum_error,
+                  100.0 * results::most_kinetic_fraction));
+  const std::vector<double> widths = {30, 120, 60, 70, 60, column - 340};
+  out.row({plain("id"), plain("input"), plain("energy"), plain("momentum"), plain("kinetic"),
+           plain("out of line")},
+          widths, true);
+  for (const auto& run : s.realizations)
+    if (!run.out_of_line.empty())
+      out.row({plain(fmt::format("{}", run.id)), run_label(s, run), plain(number(run.audit.energy_error, 2)),
+               plain(number(run.audit.momentum_error, 2)), plain(number(run.audit.kinetic_fraction, 2)),
+               plain(run.out_of_line)},
+              widths);
+}
+
 void write_imports(Writer& out, const Snapshot& s) {
   if (s.imports.empty()) return;
   std::string files;
@@ -216,6 +257,7 @@ std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure
   for (const auto& window : s.windows) write_indices(out, s, window);
   if (!effects.rows.empty())
     for (const auto& window : s.windows) write_effects(out, s, effects, window);
+  write_audit(out, s);
   const bool any_failed =
       std::any_of(s.realizations.begin(), s.realizations.end(), [](const auto& run) { return run.failed(); });
   if (any_failed) {

@@ -129,7 +129,7 @@ FlowLegend make_legend(bool noise) {
   legend.add(6.0, plain("baseline"), [](Svg& svg, Point at) {
     svg.line({at.x + 3.0, at.y - 4.5}, {at.x + 3.0, at.y + 4.5}, {palette::ink, 1.0, {}});
   });
-  if (noise) legend.add(9.0, plain("noise of the baseline"), patch(palette::band));
+  if (noise) legend.add(9.0, plain("spread of the baseline in the window"), patch(palette::band));
   return legend;
 }
 

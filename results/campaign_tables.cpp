@@ -85,13 +85,12 @@ const std::vector<LedgerTable>& ledger_tables() {
 }
 
 std::span<const std::string_view> derived_tables() {
-  static constexpr std::array<std::string_view, 4> names = {"samples", "sensitivity", "tornado", "effects"};
+  static constexpr std::array<std::string_view, 5> names = {"samples", "audit", "sensitivity", "tornado", "effects"};
   return names;
 }
 
 std::vector<NamedTable> campaign_tables(const std::filesystem::path& file) {
-  const Database database(file, Database::Mode::read_only);
-  check_schema(database);
+  const Database database = open_ledger(file);
   const Transaction transaction(database, Transaction::Kind::read);
   const Snapshot snapshot = read_snapshot(database);
   std::vector<NamedTable> tables;
@@ -99,7 +98,7 @@ std::vector<NamedTable> campaign_tables(const std::filesystem::path& file) {
     tables.push_back(
         {table.name, table.name == "curve" ? curve_rows(snapshot) : stored_rows(database, table)});
   tables.push_back({"samples", samples_table(snapshot)});
-  for (const char* view : {"sensitivity", "tornado"})
+  for (const char* view : {"audit", "sensitivity", "tornado"})
     tables.push_back({view, rows_of(database.prepare(fmt::format("SELECT * FROM {}", view)))});
   tables.push_back({"effects", effects_table(design_effects(snapshot))});
   return tables;

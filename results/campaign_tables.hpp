@@ -30,7 +30,7 @@ struct LedgerTable {
 [[nodiscard]] const std::vector<LedgerTable>& ledger_tables();
 
 /// Tables of an export that follow from the others, beside which they are not read: samples (samples.hpp),
-/// sensitivity, tornado and effects.
+/// audit, sensitivity, tornado and effects.
 [[nodiscard]] std::span<const std::string_view> derived_tables();
 
 /// All that a database holds, in the order of ledger_tables(); then the derived ones. Read in one

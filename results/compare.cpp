@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <tuple>
@@ -38,6 +39,20 @@ std::vector<Key> keys_of(const Snapshot& a, const Snapshot& b) {
         if (Key key{window.name, run.parameter, run.side, run.value_text}; seen.insert(key).second)
           keys.push_back(std::move(key));
   return keys;
+}
+
+/// Who lacks the index, or what is to be known of either.
+std::string note_of(const SensitivityRow* a, const SensitivityRow* b) {
+  if (a == nullptr || b == nullptr) return a == nullptr ? "only in b" : "only in a";
+  if (a->note == b->note) return a->note;
+  std::string note = a->note.empty() ? "" : "a: " + a->note;
+  if (!b->note.empty()) note += (note.empty() ? "b: " : "; b: ") + b->note;
+  return note;
+}
+
+Cell above(const SensitivityRow* row) {
+  if (row == nullptr || !row->above_noise) return std::monostate{};
+  return std::int64_t{*row->above_noise};
 }
 
 const SensitivityRow* index_of(const Snapshot& s, const std::string& window, const std::string& parameter) {
@@ -88,7 +103,9 @@ Table compare_means(const Snapshot& a, const Snapshot& b) {
 }
 
 Table compare_sensitivity(const Snapshot& a, const Snapshot& b) {
-  Table table{{"window", "parameter", "si_a", "si_b", "noise_a", "noise_b", "note"}, {}};
+  Table table{{"window", "parameter", "si_a", "si_b", "half_width_a", "half_width_b", "above_noise_a",
+               "above_noise_b", "si_noise_a", "si_noise_b", "note"},
+              {}};
   std::set<std::pair<std::string, std::string>> seen;
   for (const Snapshot* s : {&a, &b})
     for (const SensitivityRow& row : s->sensitivity) {
@@ -99,11 +116,10 @@ Table compare_sensitivity(const Snapshot& a, const Snapshot& b) {
         return r == nullptr ? Cell(std::monostate{}) : number(r->*member);
       };
       table.rows.push_back({row.window, row.parameter, value(in_a, &SensitivityRow::si),
-                            value(in_b, &SensitivityRow::si), value(in_a, &SensitivityRow::si_noise),
-                            value(in_b, &SensitivityRow::si_noise),
-                            std::string(in_a == nullptr   ? "only in b"
-                                        : in_b == nullptr ? "only in a"
-                                                          : "")});
+                            value(in_b, &SensitivityRow::si), value(in_a, &SensitivityRow::si_half_width),
+                            value(in_b, &SensitivityRow::si_half_width), above(in_a), above(in_b),
+                            value(in_a, &SensitivityRow::si_noise), value(in_b, &SensitivityRow::si_noise),
+                            note_of(in_a, in_b)});
     }
   return table;
 }

@@ -15,7 +15,9 @@ namespace cpt::results {
 /// windows lie apart.
 [[nodiscard]] Table compare_means(const Snapshot& a, const Snapshot& b);
 
-/// Sensitivity indices: `window`, `parameter`, `si_a`, `si_b`, `noise_a`, `noise_b`, `note`.
+/// Sensitivity indices: `window`, `parameter`, and of each `si`, the half width of its interval from repeats,
+/// whether it is above the noise (of the repeats, without them SI_noise) and SI_noise; `note`: who lacks it,
+/// or the notes of both.
 [[nodiscard]] Table compare_sensitivity(const Snapshot& a, const Snapshot& b);
 
 }  // namespace cpt::results

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "parameters/designs/variation.hpp"
+
 namespace cpt::results {
 namespace {
 
@@ -35,8 +37,9 @@ DiscretizationError discretization_error(const std::array<MeshResult, 3>& meshes
   const auto& [fine, medium, coarse] = meshes;
   const double ln_r21 = std::log(medium.h / fine.h), ln_r32 = std::log(coarse.h / medium.h);
   const double e21 = medium.value - fine.value, e32 = coarse.value - medium.value;
-  if (e21 * e32 < 0.0 || e21 == 0.0) {
-    const auto [low, high] = std::minmax({fine.value, medium.value, coarse.value});
+  const auto [low, high] = std::minmax({fine.value, medium.value, coarse.value});
+  if (!parameters::differ(low, high)) return {Convergence::constant, nan, nan, 0.0};
+  if (e21 * e32 < 0.0 || !parameters::differ(fine.value, medium.value)) {
     return {Convergence::oscillatory, nan, nan, 0.5 * (high - low) / std::abs(fine.value)};
   }
   const double ratio = e32 / e21;

@@ -13,15 +13,16 @@ struct MeshResult {
 };
 
 /// How the differences behave from the coarse over the medium to the fine mesh (Stern et al. 2001, J. Fluids
-/// Eng. 123, 793): same sign and shrinking as some power of h, changing sign, or growing.
-enum class Convergence { monotone, oscillatory, diverging };
+/// Eng. 123, 793): same sign and shrinking as some power of h, changing sign, or growing. Constant: the three
+/// are the same but for rounding (parameters/designs/variation.hpp), and have no order.
+enum class Convergence { monotone, oscillatory, diverging, constant };
 
 struct DiscretizationError {
   Convergence convergence;
   double order;         ///< [-] observed order p, at most 20; NaN unless monotone
   double extrapolated;  ///< value at h = 0; NaN unless monotone
   /// [-] half width of the band about the fine mesh's value, relative to it. Monotone: the GCI with a safety
-  /// factor of 1.25. Oscillatory: half the range over the three meshes. NaN if diverging.
+  /// factor of 1.25. Oscillatory: half the range over the three meshes. NaN if diverging, 0 if constant.
   double band;
 };
 

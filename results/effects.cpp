@@ -17,6 +17,7 @@
 #include "parameters/designs/pairs.hpp"
 #include "parameters/designs/polynomial_chaos.hpp"
 #include "parameters/designs/sobol.hpp"
+#include "parameters/designs/variation.hpp"
 #include "parameters/read_study.hpp"
 
 namespace cpt::results {
@@ -64,6 +65,14 @@ std::string missing(std::span<const RealizationRow* const> runs) {
   return words;
 }
 
+// "2 of 44 runs out of line"; empty if none is.
+std::string out_of_line(std::span<const RealizationRow* const> runs) {
+  const std::set<const RealizationRow*> stored(runs.begin(), runs.end());
+  const auto lie = std::count_if(stored.begin(), stored.end(),
+                                 [](const auto* run) { return run != nullptr && !run->out_of_line.empty(); });
+  return lie > 0 ? fmt::format("{} of {} runs out of line", lie, stored.size()) : "";
+}
+
 /// Adds the rows of one window.
 class WindowEffects {
  public:
@@ -77,6 +86,9 @@ class WindowEffects {
     for (std::size_t k = 0; k < runs.size(); ++k)
       if (runs[k] != nullptr && mean.contains(runs[k]->id)) y_(static_cast<Index>(k)) = mean.at(runs[k]->id);
     note_ = window.problem.empty() ? missing(runs) : "undefined: " + window.problem;
+    constant_ = window.problem.empty() && parameters::is_constant(y_);
+    if (constant_) prepend(parameters::does_not_vary);
+    if (const std::string lies = out_of_line(runs); !lies.empty()) append(lies);
   }
 
   void add() {
@@ -95,6 +107,12 @@ class WindowEffects {
   }
 
  private:
+  void prepend(std::string_view words) {
+    note_ = note_.empty() ? std::string(words) : fmt::format("{}; {}", words, note_);
+  }
+  void append(std::string_view words) {
+    note_ = note_.empty() ? std::string(words) : fmt::format("{}; {}", note_, words);
+  }
   [[nodiscard]] std::size_t parameters() const { return study_.design.rows.size(); }
   [[nodiscard]] std::string name(std::size_t j) const {
     return std::string(study_.rows[study_.design.rows[j]].quantity->name);
@@ -106,22 +124,26 @@ class WindowEffects {
                      e.upper, used, dropped, note_});
   }
 
-  // Without runs beside each other the interval is that of the repeats: an interaction is half of four
-  // results added up, so it scatters as one result does.
+  // Without runs beside each other the interval is that of the repeats, each result scattering by the same
+  // share of its size: an interaction is half of four results added up.
   void add_pairs() {
     const auto noise = std::find_if(s_.repeat_noise.begin(), s_.repeat_noise.end(),
                                     [&](const auto& row) { return row.window == window_.name; });
     const bool repeated = noise != s_.repeat_noise.end();
-    const double half =
-        repeated ? noise->si_half_width * noise->q_c_mean_kPa / std::sqrt(2.0) : undefined;  // t s
+    const double scatter = repeated ? noise->si_half_width / std::sqrt(2.0) : undefined;  // t s / mean
     const auto pairs = parameters::pairs_of(static_cast<int>(parameters()));
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const auto y = y_.segment<4>(4 * static_cast<Index>(k));
-      const double value = parameters::interaction({y(0), y(1), y(2), y(3)});
+      const double value = constant_ ? undefined : parameters::interaction({y(0), y(1), y(2), y(3)});
+      const double half = 0.5 * y.norm() * scatter;
       const int used = static_cast<int>(y.array().isFinite().count());
-      const std::string gap = window_.problem.empty() ? missing(runs_.subspan(4 * k, 4)) : window_.problem;
+      const auto runs = runs_.subspan(4 * k, 4);
+      const std::string gap = window_.problem.empty() ? missing(runs) : window_.problem;
       std::string note = gap.empty() ? "" : "undefined: " + gap;
+      if (constant_) note = parameters::does_not_vary;
       if (note.empty() && !repeated) note = "no interval: the study has no repeats";
+      if (const std::string lies = out_of_line(runs); !lies.empty())
+        note += (note.empty() ? "" : "; ") + lies;
       rows_.push_back({window_.name, name(static_cast<std::size_t>(pairs[k].first)),
                        name(static_cast<std::size_t>(pairs[k].second)), "interaction", "kPa", value,
                        value - half, value + half, used, 4 - used, std::move(note)});
@@ -142,17 +164,19 @@ class WindowEffects {
 
   void add_sobol() {
     const auto indices = parameters::sobol_indices(static_cast<int>(parameters()), y_, study_.design.seed);
+    // A and B alone may not vary.
+    if (!constant_ && indices.used > 1 && std::isnan(indices.total.front().value))
+      prepend(parameters::does_not_vary);
     add_shares(indices.first, indices.total, indices.used, indices.dropped);
   }
 
   void add_chaos() {
-    std::vector<bool> two_valued;
+    std::vector<int> values;
     for (const std::size_t row : study_.design.rows)
-      two_valued.push_back(!study_.rows[row].quantity->choices.empty());
+      values.push_back(parameters::values_of(study_.rows[row]));
     const auto fit =
-        parameters::polynomial_chaos(parameters::design_places(study_), two_valued, y_, study_.design.seed);
-    if (window_.problem.empty() && !fit.problem.empty())
-      note_ = note_.empty() ? fit.problem : fit.problem + "; " + note_;
+        parameters::polynomial_chaos(parameters::design_places(study_), values, y_, study_.design.seed);
+    if (window_.problem.empty() && !fit.problem.empty() && !constant_) prepend(fit.problem);
     add_shares(fit.first, fit.total, fit.used, fit.dropped);
     std::string note = note_;
     if (fit.terms > 0)
@@ -173,6 +197,7 @@ class WindowEffects {
   std::span<const RealizationRow* const> runs_;
   std::vector<EffectRow>& rows_;
   VectorXd y_;
+  bool constant_ = false;  // the result does not vary
   std::string note_;
 };
 

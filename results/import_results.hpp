@@ -30,9 +30,9 @@ using Remarks = std::vector<std::string>;
 using RemarksOrErrors = std::variant<Remarks, std::vector<parameters::StudyError>>;
 
 /// Makes `database` from the tables of an export (campaign_tables.hpp); those that follow from others
-/// (samples, sensitivity, tornado, effects, repeat_noise) are not read, and averages are computed anew where
-/// there is a curve. What was exported with a checksum must still match it. Throws Error if the database
-/// exists or cannot be written; it is there whole or not at all.
+/// (samples, audit, sensitivity, tornado, effects, repeat_noise) are not read, and averages are computed anew
+/// where there is a curve. What was exported with a checksum must still match it. Throws Error if the
+/// database exists or cannot be written; it is there whole or not at all.
 [[nodiscard]] RemarksOrErrors import_tables(std::span<const parameters::FieldTable> tables,
                                             std::span<const ImportedFile> files,
                                             const std::filesystem::path& database);

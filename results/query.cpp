@@ -16,9 +16,10 @@ namespace cpt::results {
 namespace {
 
 constexpr std::array<NamedQuery, 6> questions = {{
-    {"realizations", "every realization: its parameter, value, status, cost and audit"},
+    {"realizations",
+     "every realization: its parameter, value, status, cost and audit, and what is out of line"},
     {"windows", "every realization's q_c in every window, with the window's depths"},
-    {"sensitivity", "sensitivity index of every parameter in every window, with the noise floor"},
+    {"sensitivity", "sensitivity index of every parameter in every window, with its interval and the noise"},
     {"tornado", "range of q_c between each parameter's bounds, widest first"},
     {"failures", "realizations that failed, with the reason"},
     {"effects", "what the study's [design] says of its parameters, with 95 % intervals"},
@@ -26,8 +27,11 @@ constexpr std::array<NamedQuery, 6> questions = {{
 
 // In the order of the questions; the last one is answered without SQL.
 constexpr std::array<std::string_view, questions.size() - 1> statements = {
-    "SELECT id, parameter, side, value_text AS value, status, wall_s, steps, material_points, mass_error, "
-    "momentum_error, energy_error, kinetic_fraction FROM realization ORDER BY id",
+    "SELECT id, r.parameter, r.side, value_text AS value, r.status, wall_s, steps, material_points, "
+    "r.mass_error, "
+    "r.momentum_error, r.energy_error, r.kinetic_fraction, r.max_empty_cells, out_of_line FROM realization "
+    "AS r "
+    "JOIN audit ON audit.realization = id ORDER BY id",
     "SELECT m.window, m.realization, r.parameter, r.side, r.value_text AS value, m.from_m, m.to_m, m.bins, "
     "m.q_c_mean_kPa, m.q_c_min_kPa, m.q_c_max_kPa FROM window_mean AS m JOIN realization AS r ON r.id = "
     "m.realization "
@@ -71,8 +75,7 @@ std::string nearest_in(const Database& database, std::string_view complaint) {
 }
 
 Table rows_from(const std::filesystem::path& file, std::string_view sql) {
-  const Database database(file, Database::Mode::read_only);
-  check_schema(database);
+  const Database database = open_ledger(file);
   return rows_of(database.prepare(sql));
 }
 
@@ -96,8 +99,7 @@ Table query(const std::filesystem::path& database, std::string_view name) {
 }
 
 Table query_sql(const std::filesystem::path& file, std::string_view sql) {
-  const Database database(file, Database::Mode::read_only);
-  check_schema(database);
+  const Database database = open_ledger(file);
   if (sql.find_first_not_of(" \t\r\n;") == sql.npos) throw BadQuery("sql: the statement is empty");
   try {
     Statement statement = database.prepare(sql);

@@ -5,8 +5,9 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
+
+#include "results/views.hpp"
 
 namespace cpt::results {
 namespace {
@@ -134,83 +135,6 @@ constexpr std::array<const char*, 10> table_names = {"checksum",     "repeat_noi
                                                      "depth_window", "realization",  "parameter",   "layer",
                                                      "campaign",     "import"};
 
-// SI and SI_noise as in sensitivity.hpp. A bound without a realization of its own equals the baseline.
-constexpr const char* sensitivity_view = R"sql(
-CREATE VIEW sensitivity AS
-WITH
-baseline AS (
-  SELECT id, status FROM realization WHERE side = 'baseline'
-),
-bound AS (
-  SELECT w.name AS window, w.position AS window_position, w.problem AS window_problem,
-         p.name AS parameter, p.position AS parameter_position, baseline.id AS baseline_id,
-         coalesce((SELECT id FROM realization WHERE parameter = p.name AND side = 'lower'), baseline.id) AS lower_id,
-         coalesce((SELECT id FROM realization WHERE parameter = p.name AND side = 'upper'), baseline.id) AS upper_id
-  FROM depth_window AS w CROSS JOIN parameter AS p CROSS JOIN baseline
-),
-state AS (
-  SELECT id, CASE WHEN status IN ('pending', 'running') THEN status
-                  WHEN status = 'completed' THEN 'has no q_c in the window'
-                  ELSE 'failed (' || status || ')' END AS words
-  FROM realization
-),
-value AS (
-  SELECT bound.*,
-         l.q_c_mean_kPa AS q_lower, u.q_c_mean_kPa AS q_upper, b.q_c_mean_kPa AS q_baseline,
-         b.q_c_max_kPa AS q_baseline_max,
-         CASE WHEN u.q_c_mean_kPa > 0 THEN (u.q_c_mean_kPa - l.q_c_mean_kPa) / u.q_c_mean_kPa END AS si,
-         CASE WHEN b.q_c_max_kPa > 0 THEN (b.q_c_max_kPa - b.q_c_min_kPa) / b.q_c_max_kPa END AS si_noise,
-         CASE WHEN l.realization IS NULL AND lower_id <> baseline_id
-              THEN 'lower run ' || (SELECT words FROM state WHERE id = lower_id) || ', ' ELSE '' END AS no_lower,
-         CASE WHEN u.realization IS NULL AND upper_id <> baseline_id
-              THEN 'upper run ' || (SELECT words FROM state WHERE id = upper_id) || ', ' ELSE '' END AS no_upper,
-         CASE WHEN b.realization IS NULL
-              THEN 'baseline run ' || (SELECT words FROM state WHERE id = baseline_id) ELSE '' END AS no_baseline
-  FROM bound
-  LEFT JOIN window_mean AS l ON l.realization = lower_id AND l.window = bound.window
-  LEFT JOIN window_mean AS u ON u.realization = upper_id AND u.window = bound.window
-  LEFT JOIN window_mean AS b ON b.realization = baseline_id AND b.window = bound.window
-)
-SELECT window, parameter, q_lower AS q_lower_kPa, q_upper AS q_upper_kPa, q_baseline AS q_baseline_kPa,
-       si, abs(si) AS si_abs, si_noise, abs(si) > si_noise AS above_noise,
-       si_half_width, abs(si) > si_half_width AS above_repeats,
-       CASE
-         WHEN window_problem <> '' THEN 'undefined: ' || window_problem
-         WHEN si IS NULL AND q_lower IS NOT NULL AND q_upper IS NOT NULL
-           THEN 'undefined: q_c at the upper bound is not positive'
-         WHEN si IS NULL THEN 'undefined: ' || rtrim(no_lower || no_upper || no_baseline, ', ')
-         ELSE rtrim(
-           CASE WHEN si < 0 THEN 'negative: q_c is larger at the lower bound; ' ELSE '' END ||
-           CASE WHEN (q_lower - q_baseline) * (q_upper - q_baseline) > 0
-                     AND min(abs(q_lower - q_baseline), abs(q_upper - q_baseline)) > si_noise * q_baseline
-                THEN CASE WHEN q_lower > q_baseline THEN 'one-sided: both bounds raise q_c; '
-                          ELSE 'one-sided: both bounds lower q_c; ' END ELSE '' END ||
-           CASE WHEN si_noise IS NULL THEN 'noise undefined: ' ||
-                CASE WHEN no_baseline <> '' THEN no_baseline
-                     WHEN q_baseline_max IS NULL THEN 'only the average of the baseline was imported'
-                     ELSE 'q_c of the baseline is not positive' END
-                ELSE '' END, '; ')
-       END AS note
-FROM value LEFT JOIN repeat_noise USING (window)
-ORDER BY window_position, parameter_position;
-)sql";
-
-constexpr const char* tornado_view = R"sql(
-CREATE VIEW tornado AS
-SELECT s.window AS window,
-       row_number() OVER (PARTITION BY s.window
-                          ORDER BY abs(s.q_upper_kPa - s.q_lower_kPa) DESC NULLS LAST, p.position) AS rank,
-       s.parameter AS parameter, p.symbol AS symbol, p.unit AS unit,
-       p.lower_text AS lower, p.baseline_text AS baseline, p.upper_text AS upper,
-       s.q_lower_kPa AS q_lower_kPa, s.q_upper_kPa AS q_upper_kPa, s.q_baseline_kPa AS q_baseline_kPa,
-       abs(s.q_upper_kPa - s.q_lower_kPa) AS swing_kPa,
-       s.si AS si, s.above_noise AS above_noise, s.note AS note
-FROM sensitivity AS s
-JOIN parameter AS p ON p.name = s.parameter
-JOIN depth_window AS w ON w.name = s.window
-ORDER BY w.position, rank;
-)sql";
-
 bool has(const Database& database, const std::string& table) {
   return database.prepare("SELECT 1 FROM sqlite_schema WHERE type = 'table' AND name = ?").bind(table).step();
 }
@@ -219,8 +143,7 @@ bool has(const Database& database, const std::string& table) {
 
 void create_schema(const Database& database) {
   database.execute(tables);
-  database.execute(sensitivity_view);
-  database.execute(tornado_view);
+  for (const View& view : views()) database.execute(view.definition);
   database.execute(
       fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, schema_version));
 }
@@ -228,9 +151,8 @@ void create_schema(const Database& database) {
 // No version has changed a table's columns, only what they may hold, so rows are taken over as they are.
 void upgrade_schema(const Database& database) {
   if (database.integer("PRAGMA user_version") == schema_version) return;
-  database.execute(
-      "DROP VIEW IF EXISTS tornado; DROP VIEW IF EXISTS sensitivity; DROP INDEX IF EXISTS "
-      "realization_of_bound");
+  for (const View& view : views()) database.execute(fmt::format("DROP VIEW IF EXISTS {}", view.name));
+  database.execute("DROP INDEX IF EXISTS realization_of_bound");
   std::vector<std::string> old;
   for (const char* table : table_names) {
     if (!has(database, table)) continue;
@@ -244,17 +166,32 @@ void upgrade_schema(const Database& database) {
 }
 
 void mend_views(const Database& database) {
-  for (const auto& [name, definition] :
-       {std::pair{"tornado", tornado_view}, {"sensitivity", sensitivity_view}}) {
+  for (const View& view : views()) {
     Statement stored = database.prepare("SELECT sql FROM sqlite_schema WHERE type = 'view' AND name = ?");
-    stored.bind(name);
+    stored.bind(view.name);
     // SQLite keeps the text from CREATE to the semicolon.
-    const std::string_view text(definition);
+    const std::string_view text(view.definition);
     const auto start = text.find("CREATE");
     if (stored.step() && stored.text(0) == text.substr(start, text.rfind(';') - start)) continue;
-    database.execute(fmt::format("DROP VIEW IF EXISTS {}", name));
+    database.execute(fmt::format("DROP VIEW IF EXISTS {}", view.name));
+    database.execute(view.definition);
+  }
+}
+
+Database open_ledger(const std::filesystem::path& file) {
+  Database database(file, Database::Mode::read_only);
+  check_schema(database);
+  database.execute("PRAGMA temp_store = MEMORY");
+  if (!has(database, "repeat_noise"))
+    database.execute(
+        "CREATE TEMP TABLE repeat_noise (window TEXT PRIMARY KEY, runs INTEGER, q_c_mean_kPa REAL, "
+        "q_c_deviation_kPa REAL, si_half_width REAL)");
+  for (const View& view : views()) {
+    std::string definition = view.definition;
+    definition.replace(definition.find("CREATE VIEW"), 11, "CREATE TEMP VIEW");
     database.execute(definition);
   }
+  return database;
 }
 
 bool is_empty(const Database& database) {

@@ -20,6 +20,10 @@ void upgrade_schema(const Database& database);
 /// flips in one would change what is read.
 void mend_views(const Database& database);
 
+/// A ledger for reading alone, checked. Its views are this program's, whatever stands in the file, which may
+/// have been finished by an earlier program.
+[[nodiscard]] Database open_ledger(const std::filesystem::path& file);
+
 /// True if the database holds nothing at all.
 [[nodiscard]] bool is_empty(const Database& database);
 

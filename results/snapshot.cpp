@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -75,33 +76,33 @@ void read_numbers(const Database& database, Snapshot& s) {
   while (means.step())
     s.window_means.push_back({static_cast<int>(means.integer(0)), means.text(1), means.number(2),
                               means.number(3), means.number(4), means.number(5), means.number(6)});
-  const auto version = database.integer("PRAGMA user_version");
-  const bool repeats = version >= 3;  // earlier ledgers know none
-  if (repeats) {
-    Statement noise = database.prepare(
-        "SELECT window, runs, q_c_mean_kPa, q_c_deviation_kPa, si_half_width FROM repeat_noise ORDER BY "
-        "window");
-    while (noise.step())
-      s.repeat_noise.push_back({noise.text(0), static_cast<int>(noise.integer(1)), noise.number(2),
-                                noise.number(3), noise.number(4)});
+  Statement audit = database.prepare("SELECT realization, out_of_line FROM audit WHERE out_of_line <> ''");
+  while (audit.step()) {
+    const auto row = std::ranges::lower_bound(s.realizations, audit.integer(0), {}, &RealizationRow::id);
+    if (row != s.realizations.end() && row->id == audit.integer(0)) row->out_of_line = audit.text(1);
   }
-  Statement si =
-      database.prepare(fmt::format("SELECT window, parameter, q_lower_kPa, q_upper_kPa, q_baseline_kPa, si, "
-                                   "si_abs, si_noise, above_noise, "
-                                   "note, {} FROM sensitivity",
-                                   repeats ? "si_half_width, above_repeats" : "NULL, NULL"));
+  Statement noise = database.prepare(
+      "SELECT window, runs, q_c_mean_kPa, q_c_deviation_kPa, si_half_width FROM repeat_noise ORDER BY "
+      "window");
+  while (noise.step())
+    s.repeat_noise.push_back({noise.text(0), static_cast<int>(noise.integer(1)), noise.number(2),
+                              noise.number(3), noise.number(4)});
+  Statement si = database.prepare(
+      "SELECT window, parameter, q_lower_kPa, q_upper_kPa, q_baseline_kPa, si, si_abs, si_noise, "
+      "above_noise, note, si_half_width, above_repeats, above_si_noise, pairs FROM sensitivity");
   const auto flag = [&](int column) {
     return si.is_null(column) ? std::nullopt : std::optional(si.integer(column) != 0);
   };
   while (si.step())
     s.sensitivity.push_back({si.text(0), si.text(1), si.number(2), si.number(3), si.number(4), si.number(5),
-                             si.number(6), si.number(7), flag(8), si.number(10), flag(11), si.text(9)});
+                             si.number(6), si.number(7), flag(8), si.number(10), flag(11), flag(12),
+                             static_cast<int>(si.integer(13)), si.text(9)});
   Statement curves = database.prepare("SELECT realization FROM curve ORDER BY realization");
   while (curves.step()) {
     const int id = static_cast<int>(curves.integer(0));
     s.curves.push_back({id, read_profile(database, id)});
   }
-  if (version < 4) return;  // earlier ledgers were never imported
+  if (database.integer("PRAGMA user_version") < 4) return;  // earlier ledgers were never imported
   Statement imports = database.prepare("SELECT file, sha256, imported FROM import ORDER BY position");
   while (imports.step()) s.imports.push_back({imports.text(0), imports.text(1), imports.text(2)});
 }
@@ -126,12 +127,6 @@ void refuse_dangling(const Database& database, const Snapshot& s) {
   for (const SensitivityRow& row : s.sensitivity)
     require(parameters.contains(row.parameter) && windows.contains(row.window),
             "an index's parameter or window is not there");
-}
-
-Database open_ledger(const std::filesystem::path& file) {
-  Database database(file, Database::Mode::read_only);
-  check_schema(database);
-  return database;
 }
 
 }  // namespace

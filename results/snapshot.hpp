@@ -50,6 +50,7 @@ struct RealizationRow {
   std::int64_t steps = 0, material_points = 0;
   std::string settings_hash, solver_version, started, finished;
   solver::Audit audit;
+  std::string out_of_line;  ///< of a snapshot: what its audit has out of line (view `audit`); else empty
   [[nodiscard]] bool waiting() const { return status == "pending" || status == "running"; }
   [[nodiscard]] bool completed() const { return status == "completed"; }
   [[nodiscard]] bool failed() const { return !waiting() && !completed(); }
@@ -74,7 +75,7 @@ struct RepeatNoiseRow {
   std::string window;
   int runs = 0;
   double q_c_mean_kPa, q_c_deviation_kPa;
-  double si_half_width;  ///< [-] of the 95 % interval of SI
+  double si_half_width;  ///< [-] of the 95 % interval of an SI whose two averages are alike
 };
 
 /// Row of the view `sensitivity`. NaN where undefined; the note says why.
@@ -82,9 +83,12 @@ struct SensitivityRow {
   std::string window, parameter;
   double q_lower_kPa, q_upper_kPa, q_baseline_kPa;
   double si, si_abs, si_noise;
-  std::optional<bool> above_noise;
-  double si_half_width;  ///< of the 95 % interval that the repeats give; NaN without repeats
+  std::optional<bool> above_noise;  ///< of the repeats; without them above SI_noise
+  double si_half_width;             ///< of the 95 % interval that the repeats give; NaN without repeats
   std::optional<bool> above_repeats;
+  std::optional<bool> above_si_noise;  ///< the paper's definition
+  int pairs =
+      0;  ///< of runs at both bounds whose indices give the interval; 0: that of the baseline's repeats
   std::string note;
 };
 

@@ -101,11 +101,18 @@ long run_count(const Design& design) {
 
 MatrixXd design_places(const Study& study) {
   MatrixXd places = places_of(study.design);
-  for (Index j = 0; j < places.cols(); ++j)
-    if (!study.rows[study.design.rows[static_cast<std::size_t>(j)]].quantity->choices.empty())
-      for (double& place : places.col(j))
-        if (!std::isnan(place)) place = place < 0.5 ? 0.0 : 1.0;
+  for (Index j = 0; j < places.cols(); ++j) {
+    const Row& row = study.rows[study.design.rows[static_cast<std::size_t>(j)]];
+    for (double& place : places.col(j))
+      if (values_of(row) > 0 && !std::isnan(place))
+        place = (value_at(row, place) - row.lower) / (row.upper - row.lower);
+  }
   return places;
+}
+
+int values_of(const Row& row) {
+  if (!row.quantity->choices.empty()) return 2;
+  return row.quantity->integer ? static_cast<int>(std::lround(row.upper - row.lower)) + 1 : 0;
 }
 
 double value_at(const Row& row, double place) {

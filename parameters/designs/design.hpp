@@ -19,9 +19,14 @@ namespace cpt::parameters {
 /// Runs that the design asks for, before any is made.
 [[nodiscard]] long run_count(const Design& design);
 
-/// Runs x Design::rows: where each run lies between the lower (0) and the upper (1) bound of each row. A
-/// choice is at 0 below 0.5, at 1 from 0.5 on. NaN: left at its baseline. No rows for one_at_a_time.
+/// Runs x Design::rows: where each run lies between the lower (0) and the upper (1) bound of each row, as it
+/// is run: a choice is at 0 or 1, a whole number where the nearest one is, which is what estimators must
+/// know. NaN: left at its baseline. No rows for one_at_a_time.
 [[nodiscard]] Eigen::MatrixXd design_places(const Study& study);
+
+/// How many values a row takes between its bounds, equally spaced: two of a choice, the whole numbers; 0 for
+/// any number.
+[[nodiscard]] int values_of(const Row& row);
 
 /// Value of a row at a place of the unit interval, in study units: linear from lower to upper and the nearest
 /// whole number where it must be one; a choice is lower below 0.5, upper from 0.5 on.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "parameters/designs/permutation.hpp"
+#include "parameters/designs/variation.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -27,7 +28,10 @@ MatrixXd effects_of(const MatrixXd& places, const VectorXd& y) {
       Index moved = 0;
       const VectorXd step = places.row(run + 1) - places.row(run);
       step.cwiseAbs().maxCoeff(&moved);
-      effects(t, moved) = (y(run + 1) - y(run)) / step(moved);
+      const bool missing = std::isnan(y(run)) || std::isnan(y(run + 1));
+      effects(t, moved) = missing                      ? undefined
+                          : differ(y(run), y(run + 1)) ? (y(run + 1) - y(run)) / step(moved)
+                                                       : 0.0;
     }
   return effects;
 }
@@ -73,10 +77,15 @@ std::vector<ElementaryEffects> elementary_effects(const MatrixXd& places, const 
   const MatrixXd effects = effects_of(places, y);
   std::vector<ElementaryEffects> all;
   for (Index j = 0; j < effects.cols(); ++j) {
+    const auto used = static_cast<int>(effects.col(j).array().isFinite().count());
+    const auto dropped = static_cast<int>(effects.rows()) - used;
+    if (is_constant(y)) {
+      all.push_back({{}, {}, {}, used, dropped});
+      continue;
+    }
     const auto estimates = bootstrap(effects.rows(), bootstrap_samples, seed,
                                      [&](const Sample& sample) { return moments(effects.col(j), sample); });
-    const auto used = static_cast<int>(effects.col(j).array().isFinite().count());
-    all.push_back({estimates[0], estimates[1], estimates[2], used, static_cast<int>(effects.rows()) - used});
+    all.push_back({estimates[0], estimates[1], estimates[2], used, dropped});
   }
   return all;
 }

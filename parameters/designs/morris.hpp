@@ -26,8 +26,9 @@ struct ElementaryEffects {
 };
 
 /// The elementary effects of every parameter. `places` is runs x parameters as morris_places orders them,
-/// whose steps may have been changed (a choice steps from 0 to 1); `y` has the runs' results, NaN where there
-/// is none. Intervals: bootstrap over trajectories.
+/// whose steps may have been changed (a choice steps from 0 to 1, a whole number to the nearest); `y` has the
+/// runs' results, NaN where there is none. A step that changes the result by rounding has no effect; all are
+/// undefined where the result does not vary (variation.hpp). Intervals: bootstrap over trajectories.
 [[nodiscard]] std::vector<ElementaryEffects> elementary_effects(const Eigen::MatrixXd& places,
                                                                 const Eigen::VectorXd& y, std::uint64_t seed);
 

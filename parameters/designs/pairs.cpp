@@ -1,6 +1,9 @@
 #include "parameters/designs/pairs.hpp"
 
+#include <cmath>
 #include <limits>
+
+#include "parameters/designs/variation.hpp"
 
 namespace cpt::parameters {
 
@@ -25,6 +28,9 @@ Eigen::MatrixXd pairs_places(int parameters) {
   return places;
 }
 
-double interaction(const std::array<double, 4>& y) { return 0.5 * ((y[3] - y[2]) - (y[1] - y[0])); }
+double interaction(const std::array<double, 4>& y) {
+  const double interaction = 0.5 * ((y[3] - y[2]) - (y[1] - y[0]));
+  return std::isnan(interaction) || differ(y[3] + y[0], y[1] + y[2]) ? interaction : 0.0;
+}
 
 }  // namespace cpt::parameters

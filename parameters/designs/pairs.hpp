@@ -18,7 +18,7 @@ namespace cpt::parameters {
 
 /// ((y_both - y_second) - (y_first - y_neither)) / 2: half of what the second parameter changes in the first
 /// one's effect (Box, Hunter & Hunter 2005, Statistics for Experimenters, chapter 5). `y` holds the four
-/// runs as pairs_places orders them; NaN where one of them is missing.
+/// runs as pairs_places orders them; NaN where one of them is missing, 0 within rounding (variation.hpp).
 [[nodiscard]] double interaction(const std::array<double, 4>& y);
 
 }  // namespace cpt::parameters

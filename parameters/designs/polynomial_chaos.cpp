@@ -8,6 +8,9 @@
 #include <limits>
 #include <optional>
 
+#include "parameters/designs/orthonormal.hpp"
+#include "parameters/designs/variation.hpp"
+
 namespace cpt::parameters {
 namespace {
 
@@ -23,44 +26,43 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Degrees of one term, one a parameter.
 using Term = std::vector<int>;
+/// Polynomials of each parameter.
+using Families = std::vector<OrthonormalPolynomials>;
 
 // Adds all terms whose first degrees are those of `term`; false where there would be more than `most`.
-bool add_terms(Term& term, std::size_t next, double room, const std::vector<bool>& two_valued,
-               std::size_t most, std::vector<Term>& terms) {
+bool add_terms(Term& term, std::size_t next, double room, const Families& families, std::size_t most,
+               std::vector<Term>& terms) {
   if (next == term.size()) {
     terms.push_back(term);
     return terms.size() <= most;
   }
   for (int degree = 0;; ++degree) {
     const double taken = std::pow(degree, norm);
-    if (taken > room * (1.0 + 1e-12) || (two_valued[next] && degree > 1)) break;
+    if (taken > room * (1.0 + 1e-12) || degree > families[next].most_degree()) break;
     term[next] = degree;
-    if (!add_terms(term, next + 1, room - taken, two_valued, most, terms)) return false;
+    if (!add_terms(term, next + 1, room - taken, families, most, terms)) return false;
   }
   term[next] = 0;
   return true;
 }
 
 // Of hyperbolic degree p at most, the constant first; nothing where there are more than `most`.
-std::vector<Term> hyperbolic_terms(int p, const std::vector<bool>& two_valued, std::size_t most) {
+std::vector<Term> hyperbolic_terms(int p, const Families& families, std::size_t most) {
   std::vector<Term> terms;
-  Term term(two_valued.size(), 0);
-  if (!add_terms(term, 0, std::pow(p, norm), two_valued, most, terms)) return {};
+  Term term(families.size(), 0);
+  if (!add_terms(term, 0, std::pow(p, norm), families, most, terms)) return {};
   return terms;
 }
 
 // Runs x terms.
-MatrixXd basis(const MatrixXd& places, const std::vector<bool>& two_valued, const std::vector<Term>& terms) {
+MatrixXd basis(const MatrixXd& places, const Families& families, const std::vector<Term>& terms) {
   MatrixXd values = MatrixXd::Ones(places.rows(), static_cast<Index>(terms.size()));
   for (Index run = 0; run < places.rows(); ++run)
     for (std::size_t k = 0; k < terms.size(); ++k)
       for (std::size_t j = 0; j < terms[k].size(); ++j) {
         const int degree = terms[k][j];
-        if (degree == 0) continue;
-        const double x = 2.0 * places(run, static_cast<Index>(j)) - 1.0;
-        values(run, static_cast<Index>(k)) *=
-            two_valued[j] ? x
-                          : std::sqrt(2.0 * degree + 1.0) * std::legendre(static_cast<unsigned>(degree), x);
+        if (degree > 0)
+          values(run, static_cast<Index>(k)) *= families[j](degree, places(run, static_cast<Index>(j)));
       }
   return values;
 }
@@ -80,8 +82,9 @@ std::optional<double> relative_error(const MatrixXd& basis, const VectorXd& y) {
   return error / variance * n / (n - terms) * (1.0 + inverse.trace());
 }
 
-// First-order indices, then total ones, of the expansion fitted to a sample of the runs.
-VectorXd indices_of(const MatrixXd& basis, const std::vector<Term>& terms, const VectorXd& y,
+// First-order indices, then total ones, of the expansion fitted to a sample of the runs. `rounding`: what y
+// must vary by.
+VectorXd indices_of(const MatrixXd& basis, const std::vector<Term>& terms, const VectorXd& y, double rounding,
                     const Sample& sample) {
   VectorXd weight = VectorXd::Zero(y.size());
   for (const Index run : sample) weight(run) += 1.0;
@@ -105,12 +108,13 @@ VectorXd indices_of(const MatrixXd& basis, const std::vector<Term>& terms, const
       }
     if (involved == 1) indices(last) += share;
   }
+  if (!(variance > rounding * rounding)) return VectorXd::Constant(2 * parameters, undefined);
   return indices / variance;
 }
 
 }  // namespace
 
-ChaosIndices polynomial_chaos(const MatrixXd& all_places, const std::vector<bool>& two_valued,
+ChaosIndices polynomial_chaos(const MatrixXd& all_places, const std::vector<int>& values,
                               const VectorXd& all_y, std::uint64_t seed) {
   const auto parameters = static_cast<std::size_t>(all_places.cols());
   std::vector<Index> completed;
@@ -130,19 +134,22 @@ ChaosIndices polynomial_chaos(const MatrixXd& all_places, const std::vector<bool
                               parameters, runs_per_term * (parameters + 1));
     return fit;
   }
-  y.array() -= y.mean();  // leaves the indices and spares digits
-  if (!(y.cwiseAbs().maxCoeff() > 0.0)) {
-    fit.problem = "undefined: the result does not vary";
+  if (!varies(y)) {
+    fit.problem = does_not_vary;
     return fit;
   }
+  const double rounding = rounding_share * y.cwiseAbs().maxCoeff();
+  y.array() -= y.mean();  // leaves the indices and spares digits
+  Families families;
+  for (const int of : values) families.emplace_back(of, largest_degree);
 
   double least_error = std::numeric_limits<double>::infinity();
   std::vector<Term> terms;
   const std::size_t affordable = std::min(most_terms, completed.size() / runs_per_term);
   for (int p = 1; p <= largest_degree; ++p) {
-    const auto candidate = hyperbolic_terms(p, two_valued, affordable);
+    const auto candidate = hyperbolic_terms(p, families, affordable);
     if (candidate.empty()) break;
-    const auto error = relative_error(basis(places, two_valued, candidate), y);
+    const auto error = relative_error(basis(places, families, candidate), y);
     if (!error || *error >= least_error) continue;
     least_error = *error;
     fit.degree = p;
@@ -154,9 +161,9 @@ ChaosIndices polynomial_chaos(const MatrixXd& all_places, const std::vector<bool
   }
   fit.terms = static_cast<int>(terms.size());
   fit.q2 = 1.0 - least_error;
-  const MatrixXd values = basis(places, two_valued, terms);
+  const MatrixXd at_runs = basis(places, families, terms);
   const auto estimates = bootstrap(y.size(), bootstrap_samples, seed, [&](const Sample& sample) {
-    return indices_of(values, terms, y, sample);
+    return indices_of(at_runs, terms, y, rounding, sample);
   });
   const auto middle = estimates.begin() + static_cast<std::ptrdiff_t>(parameters);
   fit.first.assign(estimates.begin(), middle);

@@ -26,17 +26,17 @@ struct ChaosIndices {
 /// Below this the expansion misses more than a fifth of the variance, and its indices are not to be believed.
 constexpr double least_q2 = 0.8;
 
-/// Fits y, NaN where there is no result, over `places` in the unit cube (runs x parameters, uniform). Columns
-/// marked in `two_valued` are choices: 0 or 1, each half of the time.
+/// Fits y, NaN where there is no result, over `places` in the unit cube (runs x parameters), as they were
+/// run: columns are uniform, or take as many values as `values` says (0: uniform; orthonormal.hpp).
 ///
-/// Basis: products of normalized Legendre polynomials, 1 and -1 for a choice, with hyperbolic truncation
-/// (sum of degree^0.75)^(1/0.75) <= p; p from 1 on as long as there are two runs a term and 200 terms at
-/// most, the best by the analytic leave-one-out error with its correction for small samples (Blatman & Sudret
-/// 2011, Journal of Computational Physics 230, 2345-2367; the correction is that of Chapelle, Vapnik & Bengio
-/// 2002). Intervals: bootstrap over the runs with the basis kept (Marelli & Sudret 2018, Structural Safety
-/// 75, 67-74); they tell the scatter of the coefficients, Q2 what the expansion misses.
-[[nodiscard]] ChaosIndices polynomial_chaos(const Eigen::MatrixXd& places,
-                                            const std::vector<bool>& two_valued, const Eigen::VectorXd& y,
-                                            std::uint64_t seed);
+/// Basis: products of polynomials that are orthonormal over these places (Legendre's; 1 and -1 for a choice),
+/// with hyperbolic truncation (sum of degree^0.75)^(1/0.75) <= p; p from 1 on as long as there are two runs a
+/// term and 200 terms at most, the best by the analytic leave-one-out error with its correction for small
+/// samples (Blatman & Sudret 2011, Journal of Computational Physics 230, 2345-2367; the correction is that of
+/// Chapelle, Vapnik & Bengio 2002). Intervals: bootstrap over the runs with the basis kept (Marelli & Sudret
+/// 2018, Structural Safety 75, 67-74); they tell the scatter of the coefficients, Q2 what the expansion
+/// misses.
+[[nodiscard]] ChaosIndices polynomial_chaos(const Eigen::MatrixXd& places, const std::vector<int>& values,
+                                            const Eigen::VectorXd& y, std::uint64_t seed);
 
 }  // namespace cpt::parameters

@@ -4,6 +4,8 @@
 #include <boost/random/sobol.hpp>
 #include <limits>
 
+#include "parameters/designs/variation.hpp"
+
 namespace cpt::parameters {
 namespace {
 
@@ -29,7 +31,7 @@ VectorXd indices_of(const MatrixXd& y, const Sample& sample) {
     }
   VectorXd both(2 * parameters);
   both << first, total;
-  if (variance > 0.0) return both / variance;
+  if (varies(y(sample, Eigen::seqN(0, 2)).reshaped())) return both / variance;
   return VectorXd::Constant(2 * parameters, std::numeric_limits<double>::quiet_NaN());
 }
 

@@ -24,7 +24,7 @@ struct SobolIndices {
 };
 
 /// `y` has the results as sobol_places orders the runs, NaN where there is none. Intervals: bootstrap over
-/// rows. Indices are NaN where y does not vary or no row is left.
+/// rows. Indices are NaN where A and B do not vary (variation.hpp) or no row is left.
 [[nodiscard]] SobolIndices sobol_indices(int parameters, const Eigen::VectorXd& y, std::uint64_t seed);
 
 }  // namespace cpt::parameters

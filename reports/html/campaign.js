@@ -17,7 +17,7 @@ const label_of = (p) => [...p.label, [p.unit && p.unit !== "-" ? ` (${p.unit})` 
 const bound_run = (parameter, side) => runs.find((run) => run.parameter === parameter && run.side === side);
 const indices_in = (window) => data.sensitivity.filter((row) => row.window === window.name);
 const repeats_in = (window) => data.repeat_noise.find((row) => row.window === window.name);
-const within_noise = (row) => row.above_noise === 0 || row.above_repeats === 0;
+const within_noise = (row) => row.above_noise === 0;  // of the repeats; without them SI_noise
 const is_loud = (row) => known(row.si) && !within_noise(row);
 const swing = (row) => Math.abs(row.q_upper_kPa - row.q_lower_kPa);
 const has_both = (row) => known(row.q_upper_kPa) && known(row.q_lower_kPa);

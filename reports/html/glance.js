@@ -24,17 +24,22 @@ function glance() {
     else if (baseline && mean(baseline, window)) {
       text.append(`(${depths(window)}): the baseline's `, rich(q_c),
         ` averages ${number(mean(baseline, window).q_c_mean_kPa)} kPa. `);
-      const first = d3.greatest(rows, swing);
+      // What differs by rounding alone has the index 0 or none.
+      const first = d3.greatest(rows.filter((row) => row.si !== 0 && !row.note.includes("does not vary")), swing);
       const loud = rows.filter(is_loud);
       const repeats = repeats_in(window);
-      const noise = [rows.some((row) => known(row.above_noise)) && "of the baseline",
-        repeats && `of its ${repeats.runs - 1} repeats`].filter(Boolean);
+      const paper = rows.filter((row) => row.above_si_noise === 1).length;
+      const judged = rows.some((row) => known(row.above_noise));
       if (first)
         text.append(rich(parameter_of.get(first.parameter).label), ` changes it most, from ` +
-          `${number(first.q_lower_kPa)} kPa at its lower to ${number(first.q_upper_kPa)} kPa at its upper bound. `);
-      if (first && noise.length)
-        text.append(`The index of ${loud.length} of ${indices_in(window).length} inputs exceeds the noise ${noise.join(" and ")}`,
-          ...loud.flatMap((row, k) => [k ? ", " : ": ", rich(parameter_of.get(row.parameter).label)]), ".");
+          `${number(first.q_lower_kPa)} kPa at its lower to ${number(first.q_upper_kPa)} kPa at its upper bound${within_noise(first) ? ", which is within the noise" : ""}. `);
+      else if (rows.length) text.append("No input changes it. ");
+      if (first && judged)
+        text.append(`The index of ${loud.length} of ${indices_in(window).length} inputs exceeds the noise of ` +
+          (repeats ? `the baseline's ${repeats.runs - 1} repeats` : "the baseline"),
+          ...loud.flatMap((row, k) => [k ? ", " : ": ", rich(parameter_of.get(row.parameter).label)]), ". ");
+      if (first && judged && repeats && rows.some((row) => known(row.above_si_noise)))
+        text.append(`By the paper's `, rich([["SI", false], ["noise", true]]), `, the spread inside the window, ${paper} would.`);
     } else text.append("has no baseline yet.");
     byId("glance").append(text);
   }

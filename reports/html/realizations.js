@@ -21,6 +21,9 @@ function realizations() {
     { name: "time (s)", numeric: true, value: (run) => run.wall_s, show: (run) => decimals(run.wall_s, 1) },
     { name: "steps", numeric: true, value: (run) => run.steps || null },
     { name: "energy error", numeric: true, value: (run) => run.energy_error, show: (run) => number(run.energy_error, 2) },
+    { name: "momentum error", numeric: true, value: (run) => run.momentum_error, show: (run) => number(run.momentum_error, 2) },
+    { name: "kinetic energy", numeric: true, value: (run) => run.kinetic_fraction, show: (run) => number(run.kinetic_fraction, 2) },
+    { name: "out of line", long: true, value: (run) => run.out_of_line },
     { name: "mass error", numeric: true, value: (run) => run.mass_error, show: (run) => number(run.mass_error, 2) },
     { name: "reason", long: true, value: (run) => run.reason },
   ];
@@ -31,7 +34,7 @@ function realizations() {
     return absent(value) ? "–" : String(value);
   };
   const everything = new Map(runs.map((run) =>
-    [run.id, [plain(run.label), run.parameter, run.side, run.status, run.reason, `#${run.id}`].join(" ").toLowerCase()]));
+    [run.id, [plain(run.label), run.parameter, run.side, run.status, run.reason, run.out_of_line ? `out of line: ${run.out_of_line}` : "", `#${run.id}`].join(" ").toLowerCase()]));
   const statuses = [...new Set(runs.map((run) => run.status))].sort();
 
   const filter = el("input", { type: "search", id: "filter", placeholder: "words, e.g. wall flexible" });
@@ -66,7 +69,7 @@ function realizations() {
       else head.removeAttribute("aria-sort");
     });
     body.replaceChildren(...rows.map((run) => el("tr", {
-      class: failed(run) ? "failed" : waiting(run) ? "quiet" : null, "data-id": run.id,
+      class: failed(run) ? "failed" : run.out_of_line ? "doubtful" : waiting(run) ? "quiet" : null, "data-id": run.id,
       onpointerenter: () => light(run.id), onpointerleave: () => light(null),
       onfocusin: () => light(run.id), onfocusout: () => light(null),
     },

@@ -113,13 +113,15 @@ function sensitivity() {
         figure(`Tornado of the average cone resistance in window ${window.name}`,
           el("span", {}, "Range of the average ", rich(q_c), " between each input's bounds, whose values stand at the ends;",
             key("blue"), "to the lower bound", key("vermillion"), "to the upper bound", key("band"),
-            "noise of the baseline."), tornado(window)),
+            "spread of the baseline inside the window."), tornado(window)),
         figure(`Sensitivity indices in window ${window.name}`,
           el("span", {}, "Size of SI = (", rich(q_c), " at the upper − at the lower bound) / ", rich(q_c),
-            " at the upper bound, with its sign as a number", repeats ? `, and its 95 % interval from ${repeats.runs} runs ` +
-              "of the baseline with shifted material points" : "", ";", el("span", { class: "key line" }),
-            "noise of the baseline, ", rich([["SI", false], ["noise", true]]), ` = ${decimals(noise, 4)};`, key("faint"),
-            "within it."), indices(window))),
+            " at the upper bound, with its sign as a number", repeats ? `, and its own 95 % interval from ${repeats.runs} runs ` +
+              "of the baseline with shifted material points" +
+              (rows.some((row) => row.pairs) ? ", or where its bounds were repeated, too, from these pairs" : "") : "", ";", key("faint"),
+            repeats ? "within that interval of 0, so perhaps noise;" : "within the noise;", el("span", { class: "key line" }),
+            "spread of the baseline inside the window, the paper's ", rich([["SI", false], ["noise", true]]),
+            ` = ${decimals(noise, 4)}${repeats || !known(noise) ? "" : ", which is the noise here: the study has no repeats"}.`), indices(window))),
       el("details", {}, el("summary", {}, `Numbers of ${window.name}`),
         table([{ name: "input" }, { name: "meaning", long: true }, { name: "lower", numeric: true }, { name: "baseline", numeric: true },
                { name: "upper", numeric: true }, { name: "unit" }, { name: "q_c at lower (kPa)", numeric: true },

@@ -70,7 +70,9 @@ std::string repeats_table(const NumericsStudy& study) {
     }
     out += table_line({name, fmt::format("{}", repeats->runs), number(repeats->mean, 4),
                        number(repeats->deviation, 2), percent(repeats->deviation / repeats->mean, 2),
-                       decimals(results::index_half_width(*repeats), 4), noise ? decimals(*noise, 4) : "–"});
+                       repeats->deviation > 0.0 ? decimals(results::index_half_width(*repeats), 4)
+                                                : "undefined: the result does not vary",
+                       noise ? decimals(*noise, 4) : "–"});
   }
   return out;
 }
@@ -101,7 +103,7 @@ std::string settings_table(const NumericsStudy& study) {
           continue;
         }
         const auto repeats = repeats_in(study, window.name);
-        const bool told = repeats && std::abs(*q_c - *reference) > results::prediction_half_width(*repeats);
+        const bool told = told_from_repeats(*q_c, *reference, repeats);
         const std::string change = percent(*q_c / *reference - 1.0);
         cells.push_back(
             fmt::format("{} ({})", number(*q_c, 4), told ? fmt::format("**{}**", change) : change));

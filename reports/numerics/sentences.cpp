@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parameters/designs/variation.hpp"
 #include "reports/text.hpp"
 
 namespace cpt::reports::numerics {
@@ -21,6 +22,10 @@ constexpr std::pair<std::string_view, std::string_view> names[] = {
 
 std::string sentence(const Effect& effect, const std::optional<results::RepeatNoise>& repeats) {
   const Setting& setting = *effect.setting;
+  if (effect.change == 0.0)
+    return fmt::format("- **{}**: {} = {} in place of {} does not change q̄<sub>c</sub>.\n", words(setting),
+                       setting.quantity->name, value_text(setting, effect.value),
+                       value_text(setting, setting.baseline));
   std::string text = fmt::format("- **{}**: {} = {} in place of {} changes q̄<sub>c</sub> by {}",
                                  words(setting), setting.quantity->name, value_text(setting, effect.value),
                                  value_text(setting, setting.baseline), percent(effect.change));
@@ -36,6 +41,8 @@ std::string sentence(const MeshTriple& triple, const NumericsStudy& study, std::
   std::string text = fmt::format("Refinements {}, {} and {}: ", triple.refinement[0], triple.refinement[1],
                                  triple.refinement[2]);
   switch (error.convergence) {
+    case Convergence::constant:
+      return text + "the result does not vary: no order can be read.";
     case Convergence::oscillatory:
       text += fmt::format(
           "q̄<sub>c</sub> does not move one way: no order can be read, half the range is {} of q̄<sub>c</sub>",
@@ -108,9 +115,8 @@ std::vector<Effect> effects(const NumericsStudy& study, std::string_view window)
     if (!run || run->value == setting.baseline) continue;
     const auto q_c = mean_in(study.campaign, run->realization, window);
     if (!q_c) continue;
-    const double change = *q_c - *reference;
-    const bool told = repeats && std::abs(change) > results::prediction_half_width(*repeats);
-    found.push_back({&setting, run->value, change / *reference, told});
+    const double change = parameters::differ(*q_c, *reference) ? *q_c / *reference - 1.0 : 0.0;
+    found.push_back({&setting, run->value, change, told_from_repeats(*q_c, *reference, repeats)});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Effect& a, const Effect& b) { return std::abs(a.change) > std::abs(b.change); });

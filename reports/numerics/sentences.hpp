@@ -24,7 +24,7 @@ struct MeshTriple {
 struct Effect {
   const Setting* setting;
   double value;   ///< the most accurate one
-  double change;  ///< [-] of q_c against the reference
+  double change;  ///< [-] of q_c against the reference; 0 within rounding
   bool told;      ///< larger than the repeats explain; false without repeats
 };
 

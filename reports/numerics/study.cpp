@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/designs/variation.hpp"
 #include "parameters/read_study.hpp"
 #include "results/sensitivity.hpp"
 
@@ -103,6 +105,11 @@ std::optional<results::RepeatNoise> repeats_in(const NumericsStudy& study, std::
 std::optional<double> reference_in(const NumericsStudy& study, std::string_view window) {
   const auto repeats = repeats_in(study, window);
   return repeats ? std::optional(repeats->mean) : mean_in(study.campaign, study.repeats.front(), window);
+}
+
+bool told_from_repeats(double q_c, double reference, const std::optional<results::RepeatNoise>& repeats) {
+  return repeats && parameters::differ(q_c, reference) &&
+         std::abs(q_c - reference) > results::prediction_half_width(*repeats);
 }
 
 std::optional<Run> most_accurate(const results::Snapshot& campaign, const Setting& setting) {

@@ -53,6 +53,10 @@ inline constexpr std::string_view refinement = "numerics.refinement";
 /// What changes are told against [kPa]: the mean of the repeats, without them the baseline.
 [[nodiscard]] std::optional<double> reference_in(const NumericsStudy& study, std::string_view window);
 
+/// Whether an average lies further from the reference than repeats scatter, and than numbers are rounded.
+[[nodiscard]] bool told_from_repeats(double q_c, double reference,
+                                     const std::optional<results::RepeatNoise>& repeats);
+
 /// The setting's completed run with the most accurate value: the finest mesh, the most points, the smallest
 /// time step, inertia or speed.
 [[nodiscard]] std::optional<Run> most_accurate(const results::Snapshot& campaign, const Setting& setting);

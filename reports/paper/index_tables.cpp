@@ -40,8 +40,8 @@ std::optional<results::WindowNoise> noise_at(const Snapshot& campaign, const res
 // "0.524 ± 0.012", or why there is none.
 std::string index_cell(const Snapshot& s, const SensitivityRow& row) {
   if (!std::isfinite(row.si)) return row.note.empty() ? "–" : row.note;
-  const auto half = index_interval(s, row.window, row.parameter);
-  return decimals(row.si, 3) + (half ? " ± " + decimals(*half, 3) : "");
+  const auto interval = index_interval(s, row.window, row.parameter);
+  return decimals(row.si, 3) + (interval ? " ± " + decimals(interval->half_width, 3) : "");
 }
 
 std::string index_beside(const StudyView& beside, const SensitivityRow& row) {
@@ -53,11 +53,29 @@ std::string yes_or_no(std::optional<bool> answer) { return answer ? (*answer ? "
 
 std::string scatter_of(const results::RepeatNoiseRow& noise) {
   return fmt::format(
-      "{} runs of the baseline with shifted material points average {} kPa and scatter by {} kPa; an index "
-      "of two "
-      "such runs is known to ±{} (95 %).\n\n",
+      "{} runs of the baseline with shifted material points average {} kPa and scatter by {} kPa, which "
+      "gives "
+      "the 95 % intervals and says what is noise: ±{} for an index near 0.\n\n",
       noise.runs, number(noise.q_c_mean_kPa, 4), number(noise.q_c_deviation_kPa, 3),
       decimals(noise.si_half_width, 3));
+}
+
+std::string how_else(const Snapshot& s, const results::WindowRow& window) {
+  const bool any = std::ranges::any_of(s.sensitivity, [&](const SensitivityRow& row) {
+    return row.window == window.name && index_interval(s, row.window, row.parameter);
+  });
+  return any ? "Without repeats of the baseline: 95 % intervals by batch means along each run's own curve; "
+               "SI<sub>noise</sub> says what is noise.\n\n"
+             : "Without repeats of the baseline: SI<sub>noise</sub> says what is noise.\n\n";
+}
+
+// Indices that rest on runs out of line, with what is.
+std::string doubts_of(const Snapshot& s, const std::vector<SensitivityRow>& rows) {
+  std::string out;
+  for (const SensitivityRow& row : rows)
+    if (row.note.find("out of line") != row.note.npos)
+      out += fmt::format("- {}: {}\n", html(symbol_of(s, parameter_of(s, row.parameter))), row.note);
+  return out.empty() ? out : "\n" + out;
 }
 
 std::string window_table(const StudyView& view, const results::WindowRow& window, const Ranking* ranking,
@@ -75,14 +93,14 @@ std::string window_table(const StudyView& view, const results::WindowRow& window
   else
     out += window.problem + ".\n\n";
   const results::RepeatNoiseRow* repeats = repeat_noise_of(s, window.name);
-  if (repeats != nullptr) out += scatter_of(*repeats);
+  out += repeats != nullptr ? scatter_of(*repeats) : how_else(s, window);
   std::vector<std::string> columns = {"parameter", "bounds", "q<sub>c</sub> (kPa)", "SI"};
   if (beside != nullptr)
     columns.push_back("SI beside" + (beside->snapshot() != nullptr
                                          ? ", " + beside->snapshot()->campaign.preset
                                          : std::string()));
   columns.push_back("above noise");
-  if (repeats != nullptr) columns.push_back("above repeats");
+  if (repeats != nullptr) columns.push_back("above SI<sub>noise</sub> (the paper's)");
   if (ranking != nullptr) columns.push_back("the paper's group");
   out += table_head(columns);
   for (const SensitivityRow& row : rows) {
@@ -92,18 +110,17 @@ std::string window_table(const StudyView& view, const results::WindowRow& window
         number(row.q_lower_kPa, 4) + " to " + number(row.q_upper_kPa, 4), index_cell(s, row)};
     if (beside != nullptr) cells.push_back(index_beside(*beside, row));
     cells.push_back(yes_or_no(row.above_noise));
-    if (repeats != nullptr) cells.push_back(yes_or_no(row.above_repeats));
+    if (repeats != nullptr) cells.push_back(yes_or_no(row.above_si_noise));
     if (ranking != nullptr) cells.push_back(group_of(*ranking, row.parameter));
     out += table_line(cells);
   }
-  return out;
+  return out + doubts_of(s, rows);
 }
 
 }  // namespace
 
-std::optional<double> index_interval(const Snapshot& campaign, std::string_view window,
-                                     std::string_view parameter) {
-  if (campaign.layers.size() != 1) return std::nullopt;
+std::optional<IndexInterval> index_interval(const Snapshot& campaign, std::string_view window,
+                                            std::string_view parameter) {
   const auto place = std::find_if(campaign.windows.begin(), campaign.windows.end(),
                                   [&](const results::WindowRow& w) { return w.name == window; });
   const auto row =
@@ -111,11 +128,14 @@ std::optional<double> index_interval(const Snapshot& campaign, std::string_view 
                    [&](const SensitivityRow& r) { return r.window == window && r.parameter == parameter; });
   if (place == campaign.windows.end() || row == campaign.sensitivity.end() || !std::isfinite(row->si))
     return std::nullopt;
+  if (std::isfinite(row->si_half_width)) return IndexInterval{row->si_half_width, true};
+  if (campaign.layers.size() != 1) return std::nullopt;
   const auto lower = noise_at(campaign, *place, parameter, "lower");
   const auto upper = noise_at(campaign, *place, parameter, "upper");
   if (!lower || !upper) return std::nullopt;
   constexpr double kPa = 1.0e3;
-  return results::index_uncertainty(row->q_lower_kPa * kPa, *lower, row->q_upper_kPa * kPa, *upper);
+  return IndexInterval{
+      results::index_uncertainty(row->q_lower_kPa * kPa, *lower, row->q_upper_kPa * kPa, *upper), false};
 }
 
 std::string index_tables(const Studies& studies, const Studies* beside) {

@@ -8,11 +8,18 @@
 
 namespace cpt::reports::paper {
 
-/// Half width of the 95 % interval of SI, from the noise of the two runs' own curves
-/// (results/window_noise.hpp). nullopt in layered soil, where no stretch of the curve has a trend that noise
-/// could be told from, and where the windows or the runs do not give it.
-[[nodiscard]] std::optional<double> index_interval(const results::Snapshot& campaign, std::string_view window,
-                                                   std::string_view parameter);
+/// The 95 % interval of an SI.
+struct IndexInterval {
+  double half_width;  ///< [-]
+  bool from_repeats;  ///< else by batch means along the curves
+};
+
+/// From the repeats of the baseline where there are some, as everywhere else (results/repeat_noise.hpp). Else
+/// from the noise of the two runs' own curves (results/window_noise.hpp), which a layered soil has not: no
+/// stretch of its curve has a trend that noise could be told from. nullopt where neither gives it.
+[[nodiscard]] std::optional<IndexInterval> index_interval(const results::Snapshot& campaign,
+                                                          std::string_view window,
+                                                          std::string_view parameter);
 
 /// One table a study and window, largest |SI| first, with the paper's group of each parameter. The indices of
 /// `beside` have a column of their own.

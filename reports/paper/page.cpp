@@ -100,14 +100,16 @@ std::string method() {
   different groups is compared by |SI|; the check holds if all pairs are in the paper's order.
 - Side of SI<sub>noise</sub>: a parameter that the paper puts above the noise has |SI| > SI<sub>noise</sub>, one that it puts at or
   below has not. SI and SI<sub>noise</sub> are equation 3 and section 5.1 of the paper (`docs/schema.md`).
-- SI ± its 95 % interval: windows of the same width, side by side above and below the one used, are averaged on the same
-  curve. Their scatter about a straight trend with depth is the standard deviation of one average (batch means, up to ten
-  windows). Both runs' deviations enter SI to first order and as independent, with Student's t and Welch's degrees of
-  freedom. It speaks of noise along the curve alone: errors of the mesh, the time step or the model that
-  are alike at all depths are not in it. A layered soil has no stretch with a trend of its own, so there is no interval.
-- Repeats: the baseline again with its grid of material points shifted against the mesh (`repeats` in the study). SI is
-  above them where |SI| exceeds √2 t s / mean of their averages: more than two runs that differ in nothing physical differ
-  by in 95 of 100 cases.
+- SI ± its 95 % interval, from repeats: the baseline again with its grid of material points shifted against the mesh
+  (`repeats` in the study). Both averages of SI are single runs that scatter by the same share of their size, s / mean of
+  the repeats; to first order SI is known to ± √2 t s / mean × q<sub>lower</sub> / q<sub>upper</sub>. It is above the noise
+  where |SI| exceeds that. SI<sub>noise</sub>, which holds the trend of q<sub>c</sub> through the window too, stands beside.
+- SI ± its 95 % interval, by batch means, in a study without repeats: windows of the same width, side by side above and
+  below the one used, are averaged on the same curve. Their scatter about a straight trend with depth is the standard
+  deviation of one average (up to ten windows). Both runs' deviations enter SI to first order and as independent, with
+  Student's t and Welch's degrees of freedom. It speaks of noise along the curve alone: errors of the mesh, the time step or
+  the model that are alike at all depths are not in it. A layered soil has no stretch with a trend of its own, so there is
+  no interval.
 - Where a bound equals the baseline, the baseline's run stands for it. B1, M1 and M2 are averaged over 0.1 to 0.7 m, as the
   experiments are in section 3.2; the paper does not name its window there.
 - Paths (B1): for the material points that start nearest to 1, 2 and 3 cone radii from the axis, 0.5 m deep, the mean

@@ -71,6 +71,46 @@ TEST(Repeats, GoAroundFromAShiftedBaseline) {
   EXPECT_DOUBLE_EQ(make_setup(study, one_at_a_time(study)[2]).numerics.point_shift, -0.3);
 }
 
+// Both bounds with the shifts of the repeats, after all else; a bound that is the baseline has its repeat
+// already.
+TEST(Repeats, PairsHaveTheShiftsOfTheRepeats) {
+  const Study study =
+      study_of("repeats = 2\npaired_repeats = [\"sand.H\", \"sand.nu\"]\n" +
+               sand_study("[parameters]\nsand.nu = { baseline = 0.2, lower = 0.1, upper = 0.3 }\n"
+                          "sand.H = { baseline = 25, upper = 75 }\n"));
+  const auto realizations = one_at_a_time(study);
+  std::vector<std::string> names;
+  for (const Realization& r : realizations)
+    if (r.point >= 0) names.emplace_back(parameter_name(study, r));
+  EXPECT_EQ(names, (std::vector<std::string>{"repeat 1", "repeat 2", "repeat 1, sand.H upper",
+                                             "repeat 2, sand.H upper", "repeat 1, sand.nu lower",
+                                             "repeat 1, sand.nu upper", "repeat 2, sand.nu lower",
+                                             "repeat 2, sand.nu upper"}));
+  const solver::Setup pair = make_setup(study, realizations.back()),
+                      repeat = make_setup(study, realizations[5]);
+  EXPECT_EQ(realizations.back().side, Side::point);
+  EXPECT_EQ(pair.numerics.point_shift, repeat.numerics.point_shift);
+  EXPECT_EQ(pair.sand.nu, 0.3);
+}
+
+TEST(Repeats, PairsThatCannotBeAreTold) {
+  const std::string row = "[parameters]\nsand.H = { baseline = 25, upper = 75 }\n";
+  const auto told = [&](const std::string& top, const char* words, const char* hint) {
+    const auto errors = errors_of(top + sand_study(row));
+    ASSERT_EQ(errors.size(), 1U) << top << format(errors);
+    EXPECT_EQ(errors[0].key, "paired_repeats");
+    EXPECT_NE(errors[0].message.find(words), std::string::npos) << errors[0].message;
+    EXPECT_EQ(errors[0].hint, hint);
+  };
+  told("paired_repeats = [\"sand.H\"]\n", "wants repeats", "add repeats = 6");
+  told("repeats = 2\npaired_repeats = [\"sand.h\"]\n", "is no row of [parameters]",
+       "did you mean \"sand.H\"?");
+  told("repeats = 2\npaired_repeats = [\"sand.H\", \"sand.H\"]\n", "named twice", "");
+  told("repeats = 2\npaired_repeats = [4]\n", "must hold names, not", "");
+  told("repeats = 2\npaired_repeats = \"sand.H\"\n", "must be an array of names",
+       "such as paired_repeats = [\"sand.H\"]");
+}
+
 TEST(Repeats, ErrorsTellWhatIsWrong) {
   for (const char* bad : {"repeats = 3\n", "repeats = 0\n", "repeats = 22\n", "repeats = \"four\"\n"}) {
     const auto errors = errors_of(bad + sand_study(""));

@@ -157,6 +157,33 @@ TEST_F(Page, HasTheNumbersOfTheDatabase) {
   }
 }
 
+// The sentence at the top, the colours and the table of realizations, against the numbers.
+TEST_F(Page, SaysWhatIsNoiseAndWhatIsOutOfLine) {
+  auto study = sand_study(folder);
+  add_repeats(study, 4);
+  auto campaign = run_made_up(study);
+  campaign.realizations[2].out_of_line = "energy error -18 %";
+  show(campaign);
+  int loud = 0, paper = 0;
+  for (const auto& row : campaign.sensitivity) {
+    loud += row.above_noise == true ? 1 : 0;
+    paper += row.above_si_noise == true ? 1 : 0;
+  }
+  ASSERT_NE(loud, paper);
+  const std::string words = text("#glance p");
+  EXPECT_NE(
+      words.find(fmt::format("The index of {} of {} inputs exceeds the noise of the baseline's 4 repeats",
+                             loud, campaign.sensitivity.size())),
+      std::string::npos)
+      << words;
+  EXPECT_NE(words.find(fmt::format("the spread inside the window, {} would.", paper)), std::string::npos)
+      << words;
+  EXPECT_EQ(count("#sensitivity .loud rect"), loud);
+  EXPECT_EQ(count("#sensitivity .quiet rect"), static_cast<int>(campaign.sensitivity.size()) - loud);
+  EXPECT_EQ(count("#table tr.doubtful"), 1);
+  EXPECT_NE(text("#table tr.doubtful").find("energy error -18 %"), std::string::npos);
+}
+
 TEST_F(Page, PointerReadsAndHighlightsTheNearestCurve) {
   const auto campaign = run_made_up(sand_study(folder));
   const int hard = id_of(campaign, "sand.H", "upper");

@@ -142,12 +142,31 @@ TEST_F(Figures, RepeatsShowAsIntervals) {
   auto study = sand_study(folder);
   const auto without = run_made_up(study);
   EXPECT_FALSE(has(sensitivity_figure(without, without.windows[0]).value(), "95 %, repeats"));
-  for (int k = 1; k <= 4; ++k)
-    study.points.push_back(
-        {"repeat " + std::to_string(k), {{solver::find_quantity("numerics.point_shift"), 0.1 * k}}, true});
+  add_repeats(study, 4);
   study.database = folder / "repeats.sqlite";
   const auto campaign = run_made_up(study);
   EXPECT_TRUE(has(sensitivity_figure(campaign, campaign.windows[0]).value(), "95 %, repeats"));
+}
+
+// The pale bars are those within the intervals of the repeats, not those below SI_noise.
+TEST_F(Figures, RepeatsDecideWhatIsPale) {
+  auto study = sand_study(folder);
+  add_repeats(study, 4);
+  auto campaign = run_made_up(study);
+  const auto pale = [&] {
+    const std::string svg = sensitivity_figure(campaign, campaign.windows[0]).value();
+    return count(svg, "fill-opacity=\"0.4\"");
+  };
+  std::size_t noise = 0, noise_of_the_paper = 0;
+  for (const auto& row : campaign.sensitivity) {
+    noise += row.above_noise == false ? 1 : 0;
+    noise_of_the_paper += row.above_si_noise == false ? 1 : 0;
+    EXPECT_EQ(row.above_noise, row.above_repeats);
+  }
+  ASSERT_NE(noise, noise_of_the_paper);
+  EXPECT_EQ(pale(), noise + 2) << "two in the legend";
+  for (auto& row : campaign.sensitivity) row.above_noise = false;
+  EXPECT_EQ(pale(), campaign.sensitivity.size() + 2);
 }
 
 }  // namespace

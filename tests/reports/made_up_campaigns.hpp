@@ -21,6 +21,9 @@ using Mishaps = std::map<int, std::string>;
 /// Layered sand and clay with a peak and a trough window.
 [[nodiscard]] parameters::Study layered_study(const std::filesystem::path& folder);
 
+/// Repeats of the baseline, whose made-up averages scatter by little.
+void add_repeats(parameters::Study& study, int count);
+
 /// Runs the study with made-up outcomes and reads it back. A mishap is a solver status name.
 [[nodiscard]] results::Snapshot run_made_up(const parameters::Study& study, const Mishaps& mishaps = {});
 

@@ -95,6 +95,34 @@ TEST_F(Report, NumbersAgreeWithTheDatabase) {
   EXPECT_TRUE(has(json, "\"solver_version\""));
 }
 
+// What the supplement says of noise and audit, against the numbers.
+TEST_F(Report, SupplementsSentencesAgreeWithTheNumbers) {
+  auto study = sand_study(folder);
+  add_repeats(study, 4);
+  auto campaign = run_made_up(study);
+  const auto words = [&] {
+    std::string all;
+    for (const auto& page : supplement(campaign, {})) all += page.front().svg;
+    // What one line of type breaks is one text again.
+    return std::regex_replace(all, std::regex("<[^>]*>|\\s+"), " ");
+  };
+  const auto flat = [](const std::string& text) { return std::regex_replace(text, std::regex(" +"), " "); };
+  std::size_t paper = 0;
+  for (const auto& row : campaign.sensitivity) paper += row.above_si_noise == true ? 1 : 0;
+  std::string text = flat(words());
+  EXPECT_TRUE(has(text, "from 5 runs of the baseline")) << text;
+  EXPECT_TRUE(has(text, "Above the noise of the repeats: "));
+  EXPECT_TRUE(has(text, "definition, " + std::to_string(paper) + " would be."));
+  EXPECT_FALSE(has(text, "Runs out of line"));
+  for (auto& row : campaign.sensitivity) row.above_noise = false;
+  campaign.realizations[2].out_of_line = "energy error -18 %";
+  campaign.realizations[2].audit.energy_error = -0.18;
+  text = flat(words());
+  EXPECT_TRUE(has(text, "No input is above the noise of the repeats."));
+  EXPECT_TRUE(has(text, "Runs out of line"));
+  EXPECT_TRUE(has(text, "energy error -18 %"));
+}
+
 TEST_F(Report, UnfinishedCampaignSaysSoWithItsFailures) {
   const auto campaign = run_made_up(sand_study(folder), {{5, "crashed"}, {6, "pending"}});
   write_report(campaign, folder / "report");

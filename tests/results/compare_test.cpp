@@ -49,7 +49,22 @@ TEST_F(Compare, IndicesAndTheirNoise) {
   EXPECT_EQ(text(table.rows[0][1]), "sand.H");
   EXPECT_NEAR(number(table.rows[0][2]), 0.5, 1e-12);
   EXPECT_NEAR(number(table.rows[0][2]), number(table.rows[0][3]), 1e-12);
-  EXPECT_NEAR(number(table.rows[0][4]), a.sensitivity[0].si_noise, 1e-15);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(table.rows[0][4])) << "no repeats, no interval";
+  EXPECT_EQ(std::get<std::int64_t>(table.rows[0][6]), std::int64_t{*a.sensitivity[0].above_noise});
+  EXPECT_NEAR(number(table.rows[0][8]), a.sensitivity[0].si_noise, 1e-15);
+}
+
+TEST_F(Compare, IndicesHaveTheirIntervalsVerdictsAndNotes) {
+  Snapshot a = run("a", 4e6), b = run("b", 5e6);
+  a.sensitivity[0].si_half_width = 0.125;
+  a.sensitivity[0].above_noise = true;
+  b.sensitivity[0].above_noise = false;
+  b.sensitivity[0].note = "upper run out of line: energy error -18 %";
+  const auto row = compare_sensitivity(a, b).rows[0];
+  EXPECT_EQ(number(row[4]), 0.125);
+  EXPECT_EQ(std::get<std::int64_t>(row[6]), 1);
+  EXPECT_EQ(std::get<std::int64_t>(row[7]), 0);
+  EXPECT_EQ(text(row[10]), "b: upper run out of line: energy error -18 %");
 }
 
 TEST_F(Compare, SettingsThatDiffer) {

@@ -1,7 +1,10 @@
 // From a study with a [design] over its ledger to the table of its estimator.
 #include "results/effects.hpp"
 
+#include <fmt/format.h>
+
 #include <set>
+#include <string_view>
 
 #include "parameters/designs/design.hpp"
 #include "parameters/read_study.hpp"
@@ -72,8 +75,10 @@ TEST_F(EffectsOf, PairsFindTheOnlyInteraction) {
   EXPECT_NEAR(both.value, 0.5 * 4.0 * 0.2 * 50.0 * shape(), 1e-6);
   EXPECT_EQ(both.used, 4);
   EXPECT_EQ(both.note, "");
-  // Repeats at -0.4, 0 and 0.4 kPa times the shape: deviation 0.4, Student's t of 2 degrees of freedom 4.303.
-  EXPECT_NEAR(both.upper - both.value, 4.303 * 0.4 * shape(), 0.001);
+  // Repeats at -0.4, 0 and 0.4 kPa times the shape about a baseline of 520: each result scatters by 0.4/520
+  // of itself; Student's t of 2 degrees of freedom is 4.303. The corners: 410, 630, 930 and 1190.
+  const double corners = std::sqrt(410.0 * 410.0 + 630.0 * 630.0 + 930.0 * 930.0 + 1190.0 * 1190.0);
+  EXPECT_NEAR(both.upper - both.value, 4.303 * 0.4 / 520.0 * 0.5 * corners * shape(), 0.001);
   const EffectRow& none = row(effects, "interaction", "sand.H", "chamber.wall");
   EXPECT_NEAR(none.value, 0.0, 1e-9);
   EXPECT_LT(none.lower, 0.0);
@@ -157,6 +162,42 @@ TEST_F(EffectsOf, SobolGivesTheSharesWithinItsIntervals) {
   held("first_order", "chamber.wall", exact.wall);
   held("total_order", "sand.H", exact.H + exact.both);
   held("total_order", "chamber.wall", exact.wall);
+}
+
+// Every design of results that are the same but for their last digits: no number, and the reason.
+TEST_F(EffectsOf, ResultsThatDoNotVaryAreUndefined) {
+  for (const char* kind : {"pairs", "morris", "latin_hypercube", "sobol"}) {
+    std::filesystem::remove(folder / "study.sqlite");
+    Snapshot snapshot = run(fmt::format("[design]\nkind = \"{}\"\n{}", kind,
+                                        std::string_view(kind) == "sobol" ? "runs = 4\n" : ""),
+                            {}, "repeats = 2\n");
+    double last_digits = 0.0;
+    for (WindowMeanRow& mean : snapshot.window_means) mean.q_c_mean_kPa = 815.15 + (last_digits += 1e-13);
+    const Effects effects = design_effects(snapshot);
+    ASSERT_FALSE(effects.rows.empty()) << kind;
+    for (const EffectRow& of : effects.rows) {
+      EXPECT_TRUE(std::isnan(of.value) && std::isnan(of.lower) && std::isnan(of.upper))
+          << kind << ' ' << of.quantity << ' ' << of.value;
+      EXPECT_EQ(of.note, "undefined: the result does not vary") << kind << ' ' << of.quantity;
+      EXPECT_EQ(of.dropped, 0) << kind;
+    }
+  }
+}
+
+TEST_F(EffectsOf, SaysWhatElseIsMissingBesideAConstantResult) {
+  Snapshot snapshot = run("[design]\nkind = \"morris\"\ntrajectories = 6\n", {"morris 2.1"});
+  for (WindowMeanRow& mean : snapshot.window_means) mean.q_c_mean_kPa = 815.15;
+  const Effects effects = design_effects(snapshot);
+  EXPECT_TRUE(std::isnan(effects.rows.front().value));
+  EXPECT_TRUE(effects.rows.front().note.starts_with("undefined: the result does not vary; 1 of "))
+      << effects.rows.front().note;
+}
+
+TEST_F(EffectsOf, SaysWhichRunsAreOutOfLine) {
+  Snapshot snapshot = run("[design]\nkind = \"latin_hypercube\"\nruns = 20\n");
+  snapshot.realizations.back().out_of_line = "energy error -18 %";
+  EXPECT_TRUE(
+      row(design_effects(snapshot), "first_order", "sand.nu").note.ends_with("1 of 20 runs out of line"));
 }
 
 TEST_F(EffectsOf, AStudyWithoutDesignHasNone) {

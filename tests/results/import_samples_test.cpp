@@ -1,6 +1,10 @@
 // Results made elsewhere as a database of a study.
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "parameters/read_study.hpp"
+#include "results/effects.hpp"
 #include "results/import_results.hpp"
 #include "results/samples.hpp"
 #include "tests/results/campaign_fixture.hpp"
@@ -80,6 +84,55 @@ TEST_F(ImportSamples, ASecondOfEqualInputsIsAPointAndFailuresStay) {
   EXPECT_EQ(std::get<double>(samples_table(s).rows[8][4]), 25.0);
 }
 
+// Last digits of another program are no result.
+TEST_F(ImportSamples, ResultsThatDoNotVaryAreUndefined) {
+  std::vector<Sample> samples = {sample("y", {change("sand.H", 25)}, 815.15)};
+  for (const double H : {20.0, 75.0})
+    samples.push_back(sample("h", {change("sand.H", H)}, 815.15 + 1e-12 * H));
+  const Snapshot s = import(samples);
+  const auto row = std::ranges::find(s.sensitivity, "sand.H", &SensitivityRow::parameter);
+  EXPECT_TRUE(std::isnan(row->si));
+  EXPECT_EQ(row->note, "undefined: the result does not vary");
+}
+
+// A straight line from another program, whose inputs are a number, a whole number and a choice: the effects
+// are its rises over the whole ranges, for any grid.
+TEST_F(ImportSamples, AStraightLineHasItsEffects) {
+  for (const int levels : {4, 20}) {
+    const std::string text = fmt::format(
+        "profile = \"homogeneous_sand\"\npreset = \"quick\"\n[parameters]\n"
+        "sand.nu = {{ baseline = 0.2, lower = 0.1, upper = 0.3 }}\n"
+        "numerics.face_elements = {{ baseline = 2, lower = 1, upper = 4 }}\n"
+        "chamber.wall = {{ baseline = \"rigid\", alternative = \"flexible\" }}\n"
+        "[[windows]]\nname = \"deep\"\nfrom_m = 0.40\nto_m = 0.50\n"
+        "[design]\nkind = \"morris\"\nlevels = {}\n",
+        levels);
+    const auto made = std::get<parameters::Study>(parameters::parse_study(text, folder / "line.toml"));
+    std::vector<Sample> samples;
+    for (const parameters::Realization& r : parameters::one_at_a_time(made)) {
+      const solver::Setup setup = make_setup(made, r);
+      samples.push_back(sample(fmt::format("run {}", r.id), {},
+                               2000.0 + 240.0 * setup.sand.nu + 30.0 * setup.numerics.face_elements +
+                                   (setup.chamber.wall == solver::Wall::rigid ? 0.0 : 50.0)));
+      for (const parameters::Row& row : made.rows)
+        samples.back().changes.push_back({row.quantity, row.quantity->value(setup)});
+    }
+    std::filesystem::remove(target);
+    import_samples(made, text, samples, {"line.csv", std::string(64, 'b')}, target);
+    const std::map<std::string, double> rises = {
+        {"sand.nu", 48.0}, {"numerics.face_elements", 90.0}, {"chamber.wall", 50.0}};
+    int checked = 0;
+    for (const EffectRow& row : design_effects(read_snapshot(target)).rows) {
+      const double exact = row.quantity == "sigma" ? 0.0 : rises.at(row.parameter);
+      EXPECT_NEAR(row.quantity == "mu" ? std::abs(row.value) : row.value, exact, 1e-8)
+          << levels << ' ' << row.quantity << ' ' << row.parameter;
+      EXPECT_EQ(row.dropped, 0);
+      ++checked;
+    }
+    EXPECT_EQ(checked, 9);
+  }
+}
+
 // The table of a campaign, read as another program's, says the same of the campaign.
 TEST_F(ImportSamples, ACampaignsOwnSamplesGiveItsIndices) {
   study.points = {{"repeat 1", {{solver::find_quantity("numerics.point_shift"), 0.25}}, true},
@@ -110,9 +163,10 @@ TEST_F(ImportSamples, ACampaignsOwnSamplesGiveItsIndices) {
   for (std::size_t i = 0; i < s.sensitivity.size(); ++i) {
     EXPECT_EQ(s.sensitivity[i].note, own.sensitivity[i].note);
     EXPECT_EQ(s.sensitivity[i].si_noise, own.sensitivity[i].si_noise);
-    EXPECT_EQ(s.sensitivity[i].si_half_width, own.sensitivity[i].si_half_width);
-    EXPECT_TRUE(s.sensitivity[i].si == own.sensitivity[i].si ||
-                (std::isnan(s.sensitivity[i].si) && std::isnan(own.sensitivity[i].si)));
+    for (const auto member : {&SensitivityRow::si, &SensitivityRow::si_half_width}) {
+      const double here = s.sensitivity[i].*member, there = own.sensitivity[i].*member;
+      EXPECT_TRUE(here == there || (std::isnan(here) && std::isnan(there))) << here << ' ' << there;
+    }
   }
   EXPECT_EQ(s.realizations.back().side, "repeat");
   EXPECT_EQ(format(samples_table(s), Format::csv), format(table, Format::csv));

@@ -40,5 +40,33 @@ TEST(RepeatNoise, IntervalsCover95Percent) {
   EXPECT_NEAR(told_equal / static_cast<double>(trials), 0.95, 0.015);
 }
 
+// Of an index, too, whatever its size: rows far from 0 scatter less or more than one at 0, by q_lower /
+// q_upper.
+TEST(RepeatNoise, IntervalsOfIndicesCoverThem) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> chance(1.0, 0.02);
+  constexpr int trials = 4000;
+  for (const auto& [lower, upper] : {std::pair{100.0, 100.0}, {100.0, 200.0}, {140.0, 100.0}}) {
+    int held = 0;
+    double width = 0.0;
+    for (int trial = 0; trial < trials; ++trial) {
+      std::vector<double> numbers(7);
+      for (double& number : numbers) number = 100.0 * chance(random);
+      const auto noise = repeat_noise(numbers);
+      const double q_lower = lower * chance(random), q_upper = upper * chance(random);
+      const double half = index_half_width(*noise, q_lower, q_upper);
+      held += std::abs((upper - lower) / upper - (q_upper - q_lower) / q_upper) <= half ? 1 : 0;
+      width += half / trials;
+    }
+    EXPECT_NEAR(held / static_cast<double>(trials), 0.95, 0.015) << upper;
+    // t of 6 degrees of freedom 2.447; the mean of s is 0.96 of sigma.
+    EXPECT_NEAR(width, 2.447 * 0.96 * 0.02 * std::sqrt(2.0) * lower / upper, 0.002) << upper;
+  }
+}
+
+TEST(RepeatNoise, RoundingIsNoScatter) {
+  EXPECT_EQ(repeat_noise(std::vector<double>{815.15, 815.15 + 1e-10, 815.15 - 1e-10})->deviation, 0.0);
+}
+
 }  // namespace
 }  // namespace cpt::results

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "results/audit_bounds.hpp"
+#include "results/database.hpp"
 #include "results/query.hpp"
 #include "results/repeat_noise.hpp"
 #include "tests/results/campaign_fixture.hpp"
@@ -155,7 +157,7 @@ TEST_F(SensitivityView, HasTheDocumentedColumnsInOrder) {
   EXPECT_EQ(query(study.database, "sensitivity").columns,
             (std::vector<std::string>{"window", "parameter", "q_lower_kPa", "q_upper_kPa", "q_baseline_kPa",
                                       "si", "si_abs", "si_noise", "above_noise", "si_half_width",
-                                      "above_repeats", "note"}));
+                                      "above_repeats", "above_si_noise", "pairs", "note"}));
 }
 
 // Four repeats follow the eight bounds; with the baseline they are five runs.
@@ -167,7 +169,7 @@ TEST_F(SensitivityView, RepeatsGiveTheIndexAnInterval) {
   levels.insert({{9, 3.9e6}, {10, 4.1e6}});
   const SensitivityRow some = find(run(levels), "deep", "sand.H");
   const std::vector<double> three = {4.0, 3.9, 4.1}, five = {4.0, 3.9, 4.1, 3.95, 4.06};
-  EXPECT_NEAR(some.si_half_width, index_half_width(repeat_noise(three).value()), 1e-12);
+  EXPECT_NEAR(some.si_half_width, index_half_width(repeat_noise(three).value(), 3.6, 8.0), 1e-12);
 
   Ledger ledger = open(study);
   ledger.record(11, completed(3.95e6));
@@ -181,7 +183,12 @@ TEST_F(SensitivityView, RepeatsGiveTheIndexAnInterval) {
               noise.deviation / noise.mean, 1e-12);
   EXPECT_EQ(find(s, "deep", "sand.H").above_repeats, std::optional(true));
   EXPECT_EQ(find(s, "deep", "sand.N").above_repeats, std::optional(false));
-  EXPECT_NEAR(find(s, "deep", "sand.N").si_half_width, index_half_width(noise), 1e-12);
+  for (const SensitivityRow& row : s.sensitivity) {
+    if (row.window != "deep") continue;
+    EXPECT_NEAR(row.si_half_width, index_half_width(noise, row.q_lower_kPa, row.q_upper_kPa), 1e-12)
+        << row.parameter;
+  }
+  EXPECT_NEAR(s.repeat_noise[0].si_half_width, index_half_width(noise), 1e-12);
 }
 
 TEST_F(SensitivityView, HasNoIntervalWithoutRepeats) {
@@ -189,6 +196,145 @@ TEST_F(SensitivityView, HasNoIntervalWithoutRepeats) {
   EXPECT_TRUE(s.repeat_noise.empty());
   EXPECT_TRUE(std::isnan(s.sensitivity[0].si_half_width));
   EXPECT_FALSE(s.sensitivity[0].above_repeats.has_value());
+}
+
+// Both bounds again with the shifts of the repeats: the scatter of the pairs' indices is the row's interval.
+// Here the shift moves all runs alike, which an interval from the baseline's scatter alone cannot know.
+TEST_F(SensitivityView, PairsGiveTheirRowItsInterval) {
+  const auto* shift = solver::find_quantity("numerics.point_shift");
+  const auto* H = solver::find_quantity("sand.H");
+  const auto* N = solver::find_quantity("sand.N");
+  for (int k = 1; k <= 3; ++k)
+    study.points.push_back({fmt::format("repeat {}", k), {{shift, 0.1 * k}}, true});
+  for (int k = 1; k <= 3; ++k) {
+    study.points.push_back({fmt::format("repeat {}, sand.H lower", k), {{shift, 0.1 * k}, {H, 20}}});
+    study.points.push_back({fmt::format("repeat {}, sand.H upper", k), {{shift, 0.1 * k}, {H, 75}}});
+    study.points.push_back({fmt::format("repeat {}, sand.N upper", k), {{shift, 0.1 * k}, {N, 0.3}}});
+  }
+  // Baseline 4, lower H 3.6, upper H 8, upper N 4.01; repeats 3.9, 4.1, 4.2.
+  auto levels = all_levels;
+  levels.insert({{9, 3.9e6}, {10, 4.1e6}, {11, 4.2e6}});
+  const double H_lower[] = {3.51e6, 3.68e6, 3.80e6}, H_upper[] = {7.80e6, 8.22e6, 8.38e6},
+               N_upper[] = {3.93e6, 4.10e6, 4.20e6};
+  for (int k = 0; k < 3; ++k) {
+    levels[12 + 3 * k] = H_lower[k];
+    levels[13 + 3 * k] = H_upper[k];
+    levels[14 + 3 * k] = N_upper[k];
+  }
+  levels.erase(19);  // of the third pair of H: two pairs and its own run are left
+  const Snapshot s = run(levels, {{19, failed(solver::Status::crashed, "made up")}});
+  const auto expected = [](const std::vector<std::pair<double, double>>& runs) {
+    std::vector<double> indices;
+    for (const auto& [lower, upper] : runs) indices.push_back(sensitivity_index(lower, upper));
+    return paired_half_width(indices);
+  };
+  const SensitivityRow &of_H = find(s, "deep", "sand.H"), &of_N = find(s, "deep", "sand.N");
+  EXPECT_EQ(of_H.pairs, 3);
+  EXPECT_NEAR(of_H.si_half_width, expected({{3.6, 8.0}, {3.51, 7.80}, {3.68, 8.22}}), 1e-9);
+  EXPECT_EQ(of_N.pairs, 4) << "its lower bound is the baseline, whose repeats are there";
+  EXPECT_NEAR(of_N.si_half_width, expected({{4.0, 4.01}, {3.9, 3.93}, {4.1, 4.10}, {4.2, 4.20}}), 1e-9);
+  const SensitivityRow& alone = find(s, "deep", "initial.sigma_h0_kPa");
+  EXPECT_EQ(alone.pairs, 0);
+  EXPECT_NEAR(alone.si_half_width, s.repeat_noise[0].si_half_width * alone.q_lower_kPa / alone.q_upper_kPa,
+              1e-12);
+  EXPECT_EQ(s.repeat_noise[0].runs, 4) << "pairs are no repeats of the baseline";
+  EXPECT_LT(of_H.si_half_width, 0.3 * s.repeat_noise[0].si_half_width * of_H.q_lower_kPa / of_H.q_upper_kPa);
+}
+
+// Where there are repeats they say what is noise; SI_noise, which holds the trend of q_c with depth, is shown
+// beside.
+TEST_F(SensitivityView, RepeatsDecideWhatIsNoise) {
+  const SensitivityRow alone = find(run(all_levels), "deep", "initial.sigma_h0_kPa");  // |SI| 0.025
+  EXPECT_LT(alone.si_abs, alone.si_noise);
+  EXPECT_EQ(alone.above_noise, std::optional(false));
+  EXPECT_EQ(alone.above_si_noise, std::optional(false));
+  EXPECT_FALSE(alone.above_repeats.has_value());
+
+  for (int k = 1; k <= 2; ++k)
+    study.points.push_back(
+        {fmt::format("repeat {}", k), {{solver::find_quantity("numerics.point_shift"), 0.1 * k}}, true});
+  const auto with_repeats = [&](double a, double b) {
+    std::filesystem::remove(study.database);
+    auto levels = all_levels;
+    levels.insert({{9, a}, {10, b}});
+    return run(levels);
+  };
+  const SensitivityRow quiet = find(with_repeats(4.001e6, 3.999e6), "deep", "initial.sigma_h0_kPa");
+  EXPECT_EQ(quiet.above_repeats, std::optional(true));
+  EXPECT_EQ(quiet.above_noise, std::optional(true));
+  EXPECT_EQ(quiet.above_si_noise, std::optional(false));
+  const Snapshot loud = with_repeats(8e6, 2e6);
+  EXPECT_EQ(find(loud, "deep", "sand.H").above_noise, std::optional(false));
+  EXPECT_EQ(find(loud, "deep", "sand.H").above_si_noise, std::optional(true));
+}
+
+// All averages the same but for their last digits, as another program's table may have them.
+TEST_F(SensitivityView, ResultsThatDoNotVaryHaveNoIndex) {
+  auto levels = all_levels;
+  for (auto& [id, level] : levels) level = 4e6 * (1.0 + 1e-14 * id);
+  const Snapshot s = run(levels);
+  for (const SensitivityRow& row : s.sensitivity) {
+    EXPECT_TRUE(std::isnan(row.si)) << row.parameter;
+    EXPECT_EQ(row.note, "undefined: the result does not vary") << row.parameter;
+    EXPECT_FALSE(row.above_noise.has_value());
+    EXPECT_FALSE(row.above_si_noise.has_value());
+  }
+  const Table tornado = query_sql(study.database, "SELECT swing_kPa FROM tornado");
+  for (const auto& row : tornado.rows) EXPECT_EQ(std::get<double>(row[0]), 0.0);
+}
+
+TEST_F(SensitivityView, AnInputThatChangesTheLastDigitsHasTheIndexZero) {
+  auto levels = all_levels;
+  levels[8] = levels[7] * (1.0 - 1e-14);
+  const Snapshot s = run(levels);
+  const SensitivityRow& same = find(s, "deep", "initial.sigma_h0_kPa");
+  EXPECT_EQ(same.si, 0.0);
+  EXPECT_EQ(same.note, "");
+  EXPECT_EQ(same.above_noise, std::optional(false));
+  EXPECT_NE(find(s, "deep", "sand.H").si, 0.0);
+}
+
+// The notes against the bounds that are documented.
+TEST_F(SensitivityView, SaysWhichRunsOfAnIndexAreOutOfLine) {
+  solver::Outcome off = completed(8e6), rough = completed(4.05e6), fine = completed(3.95e6),
+                  base = completed(4e6);
+  off.audit.energy_error = -(most_energy_error + 0.08);
+  off.audit.kinetic_fraction = most_kinetic_fraction + 0.05;
+  rough.audit.momentum_error = most_momentum_error + 0.01;
+  fine.audit.energy_error = -most_energy_error;  // at the bound: in line
+  base.audit.max_empty_cells =
+      1 + static_cast<int>(most_empty_share * static_cast<double>(base.material_points));
+  auto levels = all_levels;
+  for (const int id : {1, 3, 7, 8}) levels.erase(id);
+  const Snapshot s = run(levels, {{1, base}, {3, off}, {7, rough}, {8, fine}});
+  EXPECT_EQ(find(s, "deep", "sand.H").note, "upper run out of line: energy error -18 %, kinetic energy 15 %");
+  EXPECT_EQ(find(s, "deep", "initial.sigma_h0_kPa").note,
+            "negative: q_c is larger at the lower bound; lower run out of line: momentum error 11 %");
+  EXPECT_EQ(find(s, "deep", "sand.N").note, "baseline run out of line: 3 empty cells");
+  EXPECT_EQ(s.realizations[2].out_of_line, "energy error -18 %, kinetic energy 15 %");
+  EXPECT_EQ(s.realizations[7].out_of_line, "");
+  const Table audit =
+      query_sql(study.database, "SELECT out_of_line FROM audit WHERE realization IN (2, 3, 6)");
+  EXPECT_EQ(std::get<std::string>(audit.rows[0][0]), "");
+  EXPECT_EQ(std::get<std::string>(audit.rows[1][0]), s.realizations[2].out_of_line);
+  const Table tornado = query_sql(study.database, "SELECT note FROM tornado WHERE parameter = 'sand.H'");
+  EXPECT_EQ(std::get<std::string>(tornado.rows[0][0]), find(s, "deep", "sand.H").note);
+}
+
+// A database that was finished by an earlier program is read with this program's views.
+TEST_F(SensitivityView, ViewsInTheFileDoNotMatter) {
+  const Snapshot own = run(all_levels);
+  {
+    const Database database(study.database, Database::Mode::read_write);
+    database.execute(
+        "DROP VIEW tornado; DROP VIEW sensitivity; DROP VIEW audit;"
+        "CREATE VIEW sensitivity AS SELECT 'x' AS window, 'y' AS parameter, 1.0 AS si");
+  }
+  const Snapshot read = read_snapshot(study.database);
+  ASSERT_EQ(read.sensitivity.size(), own.sensitivity.size());
+  for (std::size_t i = 0; i < own.sensitivity.size(); ++i)
+    EXPECT_EQ(read.sensitivity[i].si, own.sensitivity[i].si);
+  EXPECT_EQ(query(study.database, "tornado").rows.size(), own.sensitivity.size());
 }
 
 }  // namespace

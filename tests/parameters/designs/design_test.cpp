@@ -1,11 +1,16 @@
 // The section [design]: its points among the study's, and what is wrong with it.
 #include "parameters/designs/design.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "parameters/designs/morris.hpp"
 #include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/designs/pairs.hpp"
+#include "parameters/designs/polynomial_chaos.hpp"
+#include "parameters/designs/sobol.hpp"
 #include "tests/parameters/studies.hpp"
 
 namespace cpt::parameters {
@@ -181,6 +186,81 @@ TEST(Design, WholeNumbersAndChoicesTakeTheNearestValue) {
   const Row wall{solver::find_quantity("chamber.wall"), 1.0, 0.0, 1.0};
   EXPECT_EQ(value_at(wall, 0.49), 0.0);
   EXPECT_EQ(value_at(wall, 0.5), 1.0);
+  EXPECT_EQ(values_of(row), 4);
+  EXPECT_EQ(values_of(wall), 2);
+  EXPECT_EQ(values_of({solver::find_quantity("sand.H"), 25.0, 25.0, 75.0}), 0);
+}
+
+// A result that is a straight line in every input, whole numbers and choices included, from the settings that
+// are really run: from the lower to the upper bounds it rises by 48, 90 and -50.
+class WholeNumbers : public ::testing::Test {
+ protected:
+  void make(const std::string& design) {
+    study = study_of(
+        sand_study("[parameters]\nsand.nu = { baseline = 0.2, lower = 0.1, upper = 0.3 }\n"
+                   "numerics.face_elements = { baseline = 2, lower = 1, upper = 4 }\n"
+                   "chamber.wall = { baseline = \"rigid\", alternative = \"flexible\" }\n[design]\n" +
+                   design));
+    places = design_places(study);
+    const auto realizations = one_at_a_time(study);
+    y.resize(places.rows());
+    Eigen::Index run = 0;
+    for (const std::size_t index : design_realizations(study, realizations)) {
+      const solver::Setup setup = make_setup(study, realizations[index]);
+      y(run++) = 2000.0 + 240.0 * setup.sand.nu + 30.0 * setup.numerics.face_elements +
+                 (setup.chamber.wall == solver::Wall::rigid ? 0.0 : 50.0);
+    }
+    values.clear();
+    for (const std::size_t row : study.design.rows) values.push_back(values_of(study.rows[row]));
+  }
+  // Shares of the variance: uniform; 1 to 4 with halves at the ends; two values.
+  static Eigen::Vector3d shares() {
+    const Eigen::Vector3d variances(48.0 * 48.0 / 12.0, 30.0 * 30.0 * 11.0 / 12.0, 50.0 * 50.0 / 4.0);
+    return variances / variances.sum();
+  }
+  Study study;
+  Eigen::MatrixXd places;
+  Eigen::VectorXd y;
+  std::vector<int> values;
+};
+
+TEST_F(WholeNumbers, MorrisTakesTheStepAsItIsRun) {
+  for (const int levels : {2, 4, 6, 20}) {
+    make(fmt::format("kind = \"morris\"\ntrajectories = 10\nlevels = {}\n", levels));
+    const auto effects = elementary_effects(places, y, 1);
+    const double rises[] = {48.0, 90.0, 50.0};
+    for (std::size_t j = 0; j < 3; ++j) {
+      EXPECT_NEAR(effects[j].mu_star.value, rises[j], 1e-8) << levels << ' ' << j;
+      EXPECT_NEAR(effects[j].mu_star.lower, rises[j], 1e-8) << levels << ' ' << j;
+      EXPECT_NEAR(effects[j].sigma.value, 0.0, 1e-8) << levels << ' ' << j;
+      EXPECT_EQ(effects[j].used, 10);
+    }
+    EXPECT_NEAR(effects[1].mu.value, 90.0, 1e-8) << levels;
+  }
+}
+
+TEST_F(WholeNumbers, TheExpansionHasTheExactShares) {
+  make("kind = \"latin_hypercube\"\nruns = 50\n");
+  EXPECT_EQ(values, (std::vector<int>{0, 4, 2}));
+  const auto fit = polynomial_chaos(places, values, y, 1);
+  EXPECT_NEAR(fit.q2, 1.0, 1e-9);
+  for (std::size_t j = 0; j < 3; ++j) {
+    EXPECT_NEAR(fit.first[j].value, shares()(static_cast<Eigen::Index>(j)), 1e-9) << j;
+    EXPECT_NEAR(fit.total[j].value, shares()(static_cast<Eigen::Index>(j)), 1e-9) << j;
+  }
+}
+
+TEST_F(WholeNumbers, AveragesHoldTheSameShares) {
+  make("kind = \"sobol\"\nruns = 256\n");
+  const auto indices = sobol_indices(3, y, 1);
+  for (std::size_t j = 0; j < 3; ++j)
+    EXPECT_NEAR(indices.total[j].value, shares()(static_cast<Eigen::Index>(j)), 0.02) << j;
+}
+
+TEST_F(WholeNumbers, PairsOfAStraightLineDoNotInteract) {
+  make("kind = \"pairs\"\n");
+  for (Eigen::Index k = 0; k < y.size(); k += 4)
+    EXPECT_EQ(interaction({y(k), y(k + 1), y(k + 2), y(k + 3)}), 0.0);
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 
 #include <Eigen/Dense>
 
+#include "parameters/designs/orthonormal.hpp"
 #include "parameters/designs/polynomial_chaos.hpp"
+#include "parameters/designs/variation.hpp"
 #include "tests/parameters/designs/functions.hpp"
 
 namespace cpt::parameters {
@@ -13,7 +15,7 @@ namespace {
 
 using Eigen::Index;
 
-std::vector<bool> numbers(int parameters) { return std::vector<bool>(static_cast<std::size_t>(parameters)); }
+std::vector<int> numbers(int parameters) { return std::vector<int>(static_cast<std::size_t>(parameters)); }
 
 ChaosIndices indices_of(const Function& function, int parameters, int runs, std::uint64_t seed = 1) {
   const Eigen::MatrixXd places = latin_hypercube_places(parameters, runs, seed);
@@ -122,9 +124,8 @@ TEST(PolynomialChaos, Q2IsThatOfRunsLeftOut) {
 TEST(PolynomialChaos, ChoiceHasItsShare) {
   Eigen::MatrixXd places = latin_hypercube_places(2, 40, 2);
   for (double& place : places.col(1)) place = place < 0.5 ? 0.0 : 1.0;
-  const auto fit =
-      polynomial_chaos(places, {false, true},
-                       results_of([](const auto& u) { return u(0) + 0.5 * u(1) + u(0) * u(1); }, places), 1);
+  const auto fit = polynomial_chaos(
+      places, {0, 2}, results_of([](const auto& u) { return u(0) + 0.5 * u(1) + u(0) * u(1); }, places), 1);
   // With the choice c and x = 2 u - 1: variance of (1 + c) u + c / 2 = 1/12 (1.5^2 + 0.5^2) + 1/4.
   const double first = 1.5 * 1.5 / 12.0, both = 0.5 * 0.5 / 12.0, choice = 0.25;
   EXPECT_NEAR(fit.q2, 1.0, 1e-10);
@@ -156,7 +157,51 @@ TEST(PolynomialChaos, TooFewRunsAndConstantResultsAreUndefined) {
   EXPECT_NE(few.problem.find("7 completed runs, 3 parameters need 8"), std::string::npos) << few.problem;
   const auto constant = indices_of([](const auto&) { return 4.0; }, 3, 30);
   EXPECT_TRUE(std::isnan(constant.total[0].value));
-  EXPECT_NE(constant.problem.find("does not vary"), std::string::npos) << constant.problem;
+  EXPECT_EQ(constant.problem, does_not_vary);
+}
+
+TEST(PolynomialChaos, RoundingIsNoVariation) {
+  const auto fit = indices_of([](const auto& u) { return 2000.0 + 1e-9 * u(0); }, 3, 30);
+  EXPECT_EQ(fit.problem, does_not_vary);
+  EXPECT_TRUE(std::isnan(fit.first[0].value));
+  EXPECT_TRUE(std::isnan(fit.q2));
+  const auto little = indices_of([](const auto& u) { return 2000.0 + 1e-4 * u(0); }, 3, 30);
+  EXPECT_EQ(little.problem, "");
+  EXPECT_NEAR(little.first[0].value, 1.0, 1e-9);
+}
+
+// A whole number from 1 to 4 is 1 and 4 half as often as 2 and 3; its polynomials know that.
+TEST(PolynomialChaos, WholeNumberHasItsShare) {
+  Eigen::MatrixXd places = latin_hypercube_places(2, 60, 2);
+  for (double& place : places.col(1)) place = std::round(3.0 * place) / 3.0;
+  const auto linear = [](const auto& u) { return u(0) + 0.8 * u(1); };
+  const auto fit = polynomial_chaos(places, {0, 4}, results_of(linear, places), 1);
+  const double number = 1.0 / 12.0, whole = 0.64 * (11.0 / 12.0) / 9.0;
+  EXPECT_NEAR(fit.q2, 1.0, 1e-10);
+  EXPECT_NEAR(fit.first[1].value, whole / (number + whole), 1e-10);
+  EXPECT_NEAR(fit.total[0].value, number / (number + whole), 1e-10);
+}
+
+// Whatever the values: 1 on average of the square, nothing between two degrees.
+TEST(OrthonormalPolynomials, AreOrthonormalOverTheirValues) {
+  for (const int values : {2, 3, 4, 11, 300}) {
+    const OrthonormalPolynomials p(values, 8);
+    EXPECT_EQ(p.most_degree(), std::min(8, values - 1));
+    for (int a = 1; a <= p.most_degree(); ++a)
+      for (int b = 1; b <= a; ++b) {
+        double product = 0.0;
+        for (int i = 0; i < values; ++i) {
+          const double place = i / (values - 1.0),
+                       weight = (i == 0 || i == values - 1 ? 0.5 : 1.0) / (values - 1);
+          product += weight * p(a, place) * p(b, place);
+        }
+        EXPECT_NEAR(product, a == b ? 1.0 : 0.0, 1e-12) << values << ' ' << a << ' ' << b;
+      }
+  }
+  const OrthonormalPolynomials legendre(0, 20), choice(2, 20), many(5000, 4);
+  EXPECT_NEAR(legendre(2, 0.75), std::sqrt(5.0) * (3.0 * 0.25 - 1.0) / 2.0, 1e-14);
+  EXPECT_NEAR(choice(1, 0.0), -1.0, 1e-15);
+  EXPECT_NEAR(many(3, 1.0), std::sqrt(7.0), 1e-3);
 }
 
 }  // namespace

@@ -131,5 +131,29 @@ TEST(Morris, WithoutAnyResultNothingIsDefined) {
   EXPECT_EQ(effects[0].dropped, 4);
 }
 
+TEST(Morris, ResultsThatDoNotVaryHaveNoEffects) {
+  const Eigen::MatrixXd places = morris_places(3, 6, 4, 2);
+  Eigen::VectorXd y = results_of([](const auto& u) { return 815.15 + 1e-10 * u.sum(); }, places);
+  y(5) = std::nan("");
+  const auto effects = elementary_effects(places, y, 1);
+  int dropped = 0;
+  for (const ElementaryEffects& of : effects) {
+    for (const Estimate& e : {of.mu, of.mu_star, of.sigma})
+      EXPECT_TRUE(std::isnan(e.value) && std::isnan(e.lower) && std::isnan(e.upper));
+    dropped += of.dropped;
+  }
+  EXPECT_EQ(dropped, 2);
+}
+
+// An input that matters to rounding alone has no effect, while others have one.
+TEST(Morris, AStepWithinRoundingHasNoEffect) {
+  const Eigen::MatrixXd places = morris_places(2, 6, 4, 2);
+  const auto effects = elementary_effects(
+      places, results_of([](const auto& u) { return 815.15 + 1e-10 * u(0) + u(1); }, places), 1);
+  EXPECT_EQ(effects[0].mu_star.value, 0.0);
+  EXPECT_EQ(effects[0].sigma.upper, 0.0);
+  EXPECT_NEAR(effects[1].mu_star.value, 1.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace cpt::parameters

@@ -51,6 +51,24 @@ TEST(Sobol, SeedFixesThePoints) {
   EXPECT_EQ(sobol_places(3, 16, 4).topRows(8 * 5), sobol_places(3, 8, 4)) << "more keep what there is";
 }
 
+TEST(Sobol, ResultsThatDoNotVaryHaveNoIndices) {
+  const auto indices = indices_of([](const auto& u) { return 4.0 + 1e-13 * u.sum(); }, 3, 16);
+  for (const auto& estimates : {indices.first, indices.total})
+    for (const Estimate& e : estimates)
+      EXPECT_TRUE(std::isnan(e.value) && std::isnan(e.lower) && std::isnan(e.upper));
+  EXPECT_EQ(indices.used, 16);
+}
+
+// One row of sixteen varies: samples without it are no samples of roundings over each other.
+TEST(Sobol, SamplesThatDoNotVaryDoNotCount) {
+  Eigen::VectorXd y = Eigen::VectorXd::Constant(16 * 5, 4.0);
+  for (Index run = 0; run < y.size(); ++run) y(run) += 1e-14 * static_cast<double>(run % 7);
+  y(0) = 5.0;
+  const auto indices = sobol_indices(3, y, 1);
+  EXPECT_FALSE(std::isnan(indices.total[0].value));
+  EXPECT_TRUE(std::isnan(indices.total[0].lower)) << "a third of the samples has no index";
+}
+
 TEST(Sobol, IshigamiMeetsItsExactIndices) {
   const auto exact = ishigami_indices();
   const auto indices = indices_of(ishigami, 3, 2048);

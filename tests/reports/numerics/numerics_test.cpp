@@ -162,6 +162,23 @@ TEST_F(Numerics, WhatHasNotRunIsLeftOut) {
   EXPECT_FALSE(has(page({without_repeats}, "figures"), "(**"));
 }
 
+// Nothing that was changed changes more than the last digits: no effect, no order, no noise.
+TEST_F(Numerics, ResultsThatDoNotVaryHaveNoOrderAndNoEffect) {
+  NumericsStudy study = run();
+  double last_digits = 0.0;
+  for (results::WindowMeanRow& mean : study.campaign.window_means)
+    mean.q_c_mean_kPa = 252.0 + (last_digits += 3e-13);
+  for (const Effect& effect : effects(study, "deep")) {
+    EXPECT_EQ(effect.change, 0.0);
+    EXPECT_FALSE(effect.told);
+  }
+  const std::string text = page({study}, "figures");
+  EXPECT_TRUE(has(text, "in place of 10000 does not change q̄<sub>c</sub>.")) << text;
+  EXPECT_TRUE(has(text, "Refinements 4, 2 and 1: the result does not vary: no order can be read."));
+  EXPECT_TRUE(has(text, "| undefined: the result does not vary |"));
+  EXPECT_FALSE(has(text, "(**")) << "bold: more than the repeats explain";
+}
+
 TEST_F(Numerics, ThePageAndItsFigureAreWritten) {
   const auto files = write_numerics({run()}, folder_ / "out.md");
   ASSERT_EQ(files.size(), 3u);

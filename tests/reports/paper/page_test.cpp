@@ -110,12 +110,45 @@ TEST(PaperPage, AFolderWithoutCampaignsIsAnError) {
 TEST(IndexInterval, ComesFromTheCurvesOfHomogeneousSoilOnly) {
   const PaperCampaigns campaigns;
   const Studies studies = campaigns.studies();
-  const auto half = index_interval(studies.find(sand_study)->second, "sand", "sand.H");
-  ASSERT_TRUE(half);
-  EXPECT_GT(*half, 0.0);
-  EXPECT_LT(*half, 0.02);  // bins scatter by about 1 %, averages over 40 of them by much less
+  const auto interval = index_interval(studies.find(sand_study)->second, "sand", "sand.H");
+  ASSERT_TRUE(interval);
+  EXPECT_FALSE(interval->from_repeats);
+  EXPECT_GT(interval->half_width, 0.0);
+  EXPECT_LT(interval->half_width, 0.02);  // bins scatter by about 1 %, averages over 40 by much less
   EXPECT_FALSE(index_interval(studies.find(layered_study)->second, "embedded_sand", "sand.H"));
   EXPECT_FALSE(index_interval(studies.find(dense_rigid_study)->second, "whole", "sand.D_r_percent"));
+}
+
+// One kind of interval: where the baseline was repeated, the row's own, in layered soil too; and the table
+// says of which kind they are.
+TEST(IndexInterval, IsThatOfTheRepeatsWhereThereAreSome) {
+  const PaperCampaigns campaigns;
+  Runs runs{campaigns.studies(), {}};
+  EXPECT_TRUE(has(page(runs, {}, {}), "intervals by batch means"));
+  EXPECT_FALSE(has(page(runs, {}, {}), "which gives the 95 % intervals"));
+  for (auto& [name, study] : runs.studies)
+    for (results::SensitivityRow& row : study.sensitivity) {
+      row.si_half_width = 0.0625;
+      row.above_si_noise = false;
+      if (row.parameter == "sand.H") row.note = "upper run out of line: energy error -18 %";
+    }
+  results::Snapshot& sand = runs.studies.find(sand_study)->second;
+  sand.repeat_noise.push_back({"sand", 7, 4000.0, 40.0, 0.0346});
+  for (const std::string_view study : {sand_study, layered_study}) {
+    const auto& snapshot = runs.studies.find(study)->second;
+    const auto interval = index_interval(snapshot, snapshot.windows.front().name, "sand.H");
+    ASSERT_TRUE(interval) << study;
+    EXPECT_TRUE(interval->from_repeats);
+    EXPECT_EQ(interval->half_width, 0.0625);
+  }
+  const std::string text = page(runs, {}, {});
+  EXPECT_TRUE(
+      has(text,
+          "7 runs of the baseline with shifted material points average 4000 kPa and scatter by "
+          "40.0 kPa, which gives the 95 % intervals and says what is noise: ±0.035 for an index near 0."));
+  EXPECT_TRUE(has(text, " ± 0.062 | "));
+  EXPECT_TRUE(has(text, "- H: upper run out of line: energy error -18 %"));
+  EXPECT_TRUE(has(text, "| above noise | above SI<sub>noise</sub> (the paper's) |"));
 }
 
 TEST(PaperFigures, ChamberFiguresNeedTwoCurves) {
