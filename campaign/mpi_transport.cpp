@@ -3,6 +3,7 @@
 #include <mpi.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <list>
 #include <set>
@@ -133,6 +134,7 @@ double MpiTransport::longest_nap() const {
 }
 
 void MpiTransport::abandon(int exit_code) {
+  std::fflush(nullptr);  // nothing does it after this
   MPI_Abort(MPI_COMM_WORLD, exit_code);
   std::_Exit(exit_code);
 }

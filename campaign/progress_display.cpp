@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "campaign/output.hpp"
+
 namespace cpt::campaign {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr double plain_interval = 10.0;    // [s]
 
 std::size_t terminal_width(std::FILE* out) {
   winsize size{};
-  if (::ioctl(::fileno(out), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  if (::ioctl(descriptor_of(out), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
   return size.ws_col;
 }
 
@@ -40,7 +42,7 @@ std::string progress_line(const Standing& standing) {
 }
 
 ProgressDisplay::Style ProgressDisplay::style_of(std::FILE* out) {
-  return ::isatty(::fileno(out)) != 0 ? Style::terminal : Style::plain;
+  return ::isatty(descriptor_of(out)) != 0 ? Style::terminal : Style::plain;
 }
 
 void ProgressDisplay::note(std::string_view line) {

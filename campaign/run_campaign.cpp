@@ -16,6 +16,7 @@
 #include "results/checkpoint.hpp"
 #include "results/curve_store.hpp"
 #include "results/ledger.hpp"
+#include "results/patience.hpp"
 
 namespace cpt::campaign {
 namespace {
@@ -25,7 +26,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_losses = 2;         // of ranks with the same realization, before it is given up
 constexpr int most_interruptions = 3;  // of a realization by signals from outside, before it is given up
 constexpr double longest_group = 0.1;  // [s] from a realization's end to its commit, where others keep ending
-constexpr double mirror_share = 0.005;  // most of the master's time that the curve file may take
+constexpr double lock_note_after = 2.0;      // [s] of waiting for a locked database, before it is told
+constexpr double lock_note_interval = 60.0;  // [s] until it is told again
+constexpr double mirror_share = 0.005;       // most of the master's time that the curve file may take
 constexpr double muster_limit =
     0.8;  // [s] to wait for the workers' offers before the first realization starts
 
@@ -75,7 +78,7 @@ class Master {
   Summary run() {
     const int signal = work();
     display_.finish();
-    return {whole_tally(), signal, ranks_lost_, time_};
+    return {whole_tally(), signal, ranks_lost_, time_, curves_problem_};
   }
 
  private:
@@ -85,27 +88,46 @@ class Master {
     Napping napping;
     int signal = 0;
     mirror_curves(results::sync_curves);
-    while (!scheduler_.done() && (signal = stop_signal()) == 0) {
-      const double now = monotonic_seconds();
-      bool busy = receive(now);
-      for (Message& message : own_news(now)) {
-        handle(master, message, now);
-        busy = true;
+    while (!scheduler_.done() && (signal = stop_signal()) == 0) try {
+        look_around(napping);
+      } catch (const results::Busy&) {
+        if (stop_signal() == 0)
+          throw;  // else the wait for the database was broken off, and all ends in order
       }
-      drop_silent_ranks(now);
-      if (mustered(now)) {
-        hand_out(now);
-        display_.update(standing(now), now);
-      }
-      // What has ended waits a moment for others, as long as they come, to share one commit with them.
-      if (!busy || now > oldest_ + longest_group) commit();
-      if (mirror_due(now)) mirror_curves(results::write_curves);
-      if (!scheduler_.done()) nap(napping.next(busy, now, transport_.longest_nap()));
-    }
     if (signal != 0) wind_up(signal);
     commit();
     if (mirror_stale_) mirror_curves(results::write_curves);
     return signal;
+  }
+
+  void look_around(Napping& napping) {
+    const double now = monotonic_seconds();
+    bool busy = receive(now);
+    for (Message& message : own_news(now)) {
+      handle(master, message, now);
+      busy = true;
+    }
+    drop_silent_ranks(now);
+    if (mustered(now)) {
+      hand_out(now);
+      display_.update(standing(now), now);
+    }
+    // What has ended waits a moment for others, as long as they come, to share one commit with them.
+    if (!busy || now > oldest_ + longest_group) commit();
+    if (mirror_due(now)) mirror_curves(results::write_curves);
+    if (!scheduler_.done()) nap(napping.next(busy, now, transport_.longest_nap()));
+  }
+
+  // Another program may keep the database locked: its end is waited for, and meanwhile realizations go on.
+  // Only a signal ends that, after a last moment.
+  bool waits_for_database(const std::filesystem::path& database, double seconds) {
+    if (seconds >= next_lock_note_) {
+      display_.note(fmt::format("{}: {} keeps the database locked; waiting until it is free",
+                                database.filename().string(), results::who_keeps(database)));
+      next_lock_note_ = seconds + lock_note_interval;
+    }
+    if (seconds < lock_note_after) next_lock_note_ = lock_note_after;  // another wait
+    return stop_signal() == 0 || seconds < lock_note_after;
   }
 
   [[nodiscard]] int stop_signal() const { return transport_.orphaned() ? 1 : StopSignals::received(); }
@@ -149,12 +171,16 @@ class Master {
     const double until = monotonic_seconds() + stop_grace;
     for (double now = monotonic_seconds(); now < until; now = monotonic_seconds()) {
       if (executor_.running() == 0 && (last_heard_.empty() || !workers_reachable)) break;
-      bool busy = workers_reachable && receive(now);
-      for (Message& message : executor_.service(now)) {
-        handle(master, message, now);
-        busy = true;
+      bool busy = true;
+      try {
+        busy = workers_reachable && receive(now);
+        for (Message& message : executor_.service(now)) {
+          handle(master, message, now);
+          busy = true;
+        }
+        commit();
+      } catch (const results::Busy&) {  // what ended is run again; the others still keep their states
       }
-      commit();
       executor_.nap(napping.next(busy, now, transport_.longest_nap()));
     }
     executor_.kill_all();
@@ -245,9 +271,12 @@ class Master {
 
   // From here on a realization is only in the open group; commit() finishes it.
   void record(int id, const solver::Outcome& outcome) {
-    {
+    try {
       const Timed timed(time_.database);
       ledger_.record(id, outcome);
+    } catch (const results::Busy&) {  // it ends without this outcome, and nobody may count it
+      (outcome.status == solver::Status::completed ? unrecorded_.finished : unrecorded_.failed) += 1;
+      throw;
     }
     if (ended_.empty()) oldest_ = monotonic_seconds();
     ended_.push_back(id);
@@ -284,9 +313,10 @@ class Master {
     try {
       const Timed timed(time_.curves);
       write(study_.curves, study_.database);
+      curves_problem_.clear();
     } catch (const results::Error& problem) {
-      if (!curves_warned_) display_.note(fmt::format("warning: {}", problem.what()));
-      curves_warned_ = true;
+      if (curves_problem_.empty()) display_.note(fmt::format("warning: {}", problem.what()));
+      curves_problem_ = problem.what();
     }
     mirror_stale_ = false;
     mirrored_ = monotonic_seconds();
@@ -323,7 +353,9 @@ class Master {
 
   [[nodiscard]] Tally whole_tally() const {
     const Tally now = scheduler_.tally();
-    return {now.pending, now.running, before_.completed + now.finished, before_.failed + now.failed};
+    return {now.pending + unrecorded_.finished + unrecorded_.failed, now.running,
+            before_.completed + now.finished - unrecorded_.finished,
+            before_.failed + now.failed - unrecorded_.failed};
   }
 
   [[nodiscard]] int ended() const { return whole_tally().finished + whole_tally().failed; }
@@ -351,14 +383,18 @@ class Master {
   Forecast forecast_;
   double started_;                    // [s]
   std::map<int, double> last_heard_;  // [s] by worker that is present
+  Tally unrecorded_{};                // outcomes that a locked database did not take before the end
   std::set<int> offered_;             // workers whose slots are known
   std::set<int> silenced_;            // workers that are lost; late words from them do not count
   std::map<int, int> losses_;         // by realization
   std::map<int, int> interruptions_;  // by realization
   bool stopping_ = false;
   bool ranks_lost_ = false;
-  bool curves_warned_ = false;
+  std::string curves_problem_;  // why the curve file could not be written when last it was tried
   bool mirror_stale_ = false;
+  double next_lock_note_ = lock_note_after;  // [s] of waiting for a locked database
+  results::Patience patience_{
+      [this](const auto& database, double seconds) { return waits_for_database(database, seconds); }};
   double mirrored_ = 0.0;       // [s]
   double mirror_cost_ = 0.001;  // [s] a realization; measured from the first mirror on
 };

@@ -33,6 +33,7 @@ struct Summary {
   int signal = 0;           ///< that stopped it; 0 if none did
   bool ranks_lost = false;  ///< MPI cannot be finalized any more
   MasterTime time;
+  std::string curves_problem;  ///< why the curve file could not be written in the end; empty if it was
   bool complete() const { return tally.finished == tally.total(); }
 };
 

@@ -3,7 +3,6 @@
 namespace cpt::campaign {
 namespace {
 
-constexpr int ignored[] = {SIGPIPE, SIGXFSZ};
 volatile sig_atomic_t received_signal = 0;
 void remember(int signal) { received_signal = signal; }
 
@@ -18,12 +17,10 @@ void handle(int signal, void (*handler)(int)) {
 StopSignals::StopSignals() {
   received_signal = 0;
   for (const int signal : stop_signals) handle(signal, remember);
-  for (const int signal : ignored) handle(signal, SIG_IGN);
 }
 
 StopSignals::~StopSignals() {
   for (const int signal : stop_signals) handle(signal, SIG_DFL);
-  for (const int signal : ignored) handle(signal, SIG_DFL);
 }
 
 int StopSignals::received() { return received_signal; }

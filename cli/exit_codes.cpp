@@ -13,7 +13,9 @@ constexpr ExitMeaning meanings[] = {
     {database_in_use, "another campaign is running on the same database"},
     {rerun_differs, "rerun gave another outcome than the stored one"},
     {internal_error, "internal error"},
-    {unusable_file, "a database, curve or report file cannot be read or written"},
+    {unusable_file,
+     "a database, curve or report file cannot be read or written, or standard output is full, closed or read "
+     "no further, as by head"},
     {stopped_by_signal,
      "stopped by signal n (130 Ctrl-C, 138 SIGUSR1, 143 terminated); the same command goes on where it "
      "stopped"},

@@ -29,10 +29,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
 }
 
 void write_folder(const std::filesystem::path& folder, const std::vector<results::NamedTable>& tables) {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem || !std::filesystem::is_directory(folder))
-    throw results::Error(fmt::format("{}: is no folder and cannot be made one", folder.string()));
+  results::make_folder(folder);
   for (const auto& [name, table] : tables)
     write(folder / (name + ".csv"), results::format(table, results::Format::csv));
 }

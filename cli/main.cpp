@@ -4,17 +4,25 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <sstream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "campaign/mpi_transport.hpp"
+#include "campaign/output.hpp"
 #include "campaign/realization_child.hpp"
+#include "campaign/stop_signals.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/misspelt.hpp"
 #include "cli/study_argument.hpp"
 #include "cli/version.hpp"
+#include "results/error.hpp"
+#include "results/patience.hpp"
 #include "results/query.hpp"
+#include "results/refusal.hpp"
 #include "solver/quantities.hpp"
 #include "solver/simulate.hpp"
 
@@ -85,8 +93,11 @@ int run_program(int argc, char** argv) {
     program.parse(reversed);
   } catch (const CLI::ParseError& end) {
     // --help and --version end here too, with code 0. Of several MPI ranks only the first speaks.
+    std::ostringstream out, err;
+    program.exit(end, out, err);
     if (campaign::rank_from_environment() == 0) {
-      program.exit(end);
+      fmt::print("{}", out.str());
+      fmt::print(stderr, "{}", err.str());
       if (const std::string hint = cli::misspelt_hint(program, words, end);
           end.get_exit_code() != 0 && !hint.empty())
         fmt::print(stderr, "{}\n", hint);
@@ -101,12 +112,19 @@ int complain(std::string_view message, int code) {
   return code;
 }
 
-}  // namespace
+// A reader, or a campaign at its start, waits for a database that another program keeps locked, and says so.
+bool wait_for_database(const std::filesystem::path& database, double seconds) {
+  constexpr double longest = 600.0, silent = 2.0;  // [s]
+  static bool told = false;
+  if (seconds > silent && !std::exchange(told, true) && campaign::rank_from_environment() == 0)
+    fmt::print(stderr, "{}: {} keeps the database locked; waiting until it is free\n", database.string(),
+               results::who_keeps(database));
+  return seconds < longest && campaign::StopSignals::received() == 0;
+}
 
-int main(int argc, char** argv) {
-  // The process of one realization; started by the campaign only.
-  if (argc == 2 && std::string_view(argv[1]) == "realize")
-    return campaign::serve_realization(solver::simulate);
+// What the command came to; whatever it throws is told.
+int outcome(int argc, char** argv) {
+  const results::Patience patience(wait_for_database);
   try {
     return run_program(argc, argv);
   } catch (const cli::BadInput& problem) {
@@ -115,9 +133,26 @@ int main(int argc, char** argv) {
     return complain(problem.what(), cli::bad_input);
   } catch (const results::Locked& problem) {
     return complain(problem.what(), cli::database_in_use);
+  } catch (const results::Busy& problem) {
+    const int signal = campaign::StopSignals::received();
+    return complain(problem.what(), signal == 0 ? cli::unusable_file : cli::stopped_by_signal + signal);
   } catch (const results::Error& problem) {
     return complain(problem.what(), cli::unusable_file);
+  } catch (const std::filesystem::filesystem_error& problem) {
+    return complain(results::refusal(problem.path1(), "cannot be used", problem.code()), cli::unusable_file);
+  } catch (const std::ios_base::failure& problem) {
+    return complain(fmt::format("a file cannot be read: {}", problem.what()), cli::unusable_file);
   } catch (const std::exception& problem) {
     return complain(fmt::format("internal error: {}", problem.what()), cli::internal_error);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  campaign::open_output();
+  // The process of one realization; started by the campaign only.
+  if (argc == 2 && std::string_view(argv[1]) == "realize")
+    return campaign::serve_realization(solver::simulate);
+  return campaign::close_output(outcome(argc, argv), cli::unusable_file);
 }

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 
@@ -15,6 +13,7 @@
 #include "diagnosis/concealed/judge.hpp"
 #include "diagnosis/concealed/sealed_files.hpp"
 #include "reports/concealed/page.hpp"
+#include "results/file_bytes.hpp"
 #include "results/provenance.hpp"
 
 namespace cpt::cli {
@@ -29,9 +28,10 @@ struct Arguments {
 };
 
 std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream.is_open()) throw BadInput(fmt::format("cannot read {}", file.string()));
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::error_code why;
+  std::optional<std::string> text = results::bytes_of(file, why);
+  if (!text) throw BadInput(fmt::format("cannot read {} ({})", file.string(), why.message()));
+  return *std::move(text);
 }
 
 std::filesystem::path answer_file(const Plan& plan, int id) {

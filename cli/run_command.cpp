@@ -41,6 +41,7 @@ void report(const parameters::Study& study) {
 
 int exit_code(const campaign::Summary& summary) {
   if (summary.signal != 0) return stopped_by_signal + summary.signal;
+  if (!summary.curves_problem.empty()) return unusable_file;
   return summary.complete() ? all_well : realizations_failed;
 }
 
@@ -59,6 +60,7 @@ int run_as_master(const Arguments& arguments, campaign::Transport& transport, bo
   if (!arguments.quiet)
     fmt::print("{} of {} realizations completed, {} failed; database: {}\n", tally.finished, tally.total(),
                tally.failed, file.study.database.string());
+  if (!summary.curves_problem.empty()) fmt::print(stderr, "{}\n", summary.curves_problem);
   if (summary.signal != 0)
     fmt::print(stderr, "stopped by signal {}; the same command goes on where this one stopped\n",
                summary.signal);

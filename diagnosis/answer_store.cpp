@@ -8,6 +8,7 @@
 
 #include "diagnosis/design.hpp"
 #include "results/database.hpp"
+#include "results/patience.hpp"
 #include "solver/mechanisms/catalogue.hpp"
 
 namespace cpt::diagnosis {
@@ -215,6 +216,8 @@ std::vector<StoredAnswer> read_answers(const std::filesystem::path& folder, cons
     if (entry.path().extension() == ".sqlite") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::vector<StoredAnswer> answers;
+  // A database that only lies beside the study keeps nobody waiting for long.
+  const results::Patience brief([](const auto&, double seconds) { return seconds < 10.0; });
   for (const std::filesystem::path& file : files) {
     try {
       if (has_answer_about(file, study)) answers.push_back(load_answer(file));

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 
 #include "reports/figures.hpp"
 #include "reports/labels.hpp"
 #include "reports/png.hpp"
+#include "results/atomic_file.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -32,27 +32,9 @@ std::string file_part(const std::string& name, std::set<std::string>& taken) {
 
 }  // namespace
 
-void make_directory(const fs::path& directory) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error)
-    throw results::Error(fmt::format("{}: cannot be made ({})", directory.string(), error.message()));
-}
+void make_directory(const fs::path& directory) { results::make_folder(directory); }
 
-void write_text(const fs::path& file, const std::string& text) {
-  fs::path half = file;
-  half += ".tmp";
-  std::ofstream out(half, std::ios::binary | std::ios::trunc);
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.close();
-  std::error_code error;
-  if (out) fs::rename(half, file, error);
-  if (!out || error) {
-    std::error_code ignored;
-    fs::remove(half, ignored);
-    throw results::Error(file.string() + ": cannot be written");
-  }
-}
+void write_text(const fs::path& file, const std::string& text) { results::replace_file(file, text); }
 
 std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign, const results::Effects& effects,
                                           Column column) {

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "results/error.hpp"
+#include "results/atomic_file.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -28,10 +28,13 @@ void draw(cairo_t* context, const PlacedSvg& part, const std::filesystem::path& 
 
 void write_pdf(const std::vector<PdfPage>& pages, const std::string& title, const std::string& created,
                const std::filesystem::path& file) {
-  std::filesystem::path half = file;
-  half += ".tmp";
+  std::string pdf;
+  const auto append = [](void* to, const unsigned char* bytes, unsigned count) {
+    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), count);
+    return CAIRO_STATUS_SUCCESS;
+  };
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
-      cairo_pdf_surface_create(half.c_str(), a4_width, a4_height), cairo_surface_destroy);
+      cairo_pdf_surface_create_for_stream(append, &pdf, a4_width, a4_height), cairo_surface_destroy);
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
   const std::string date = created.substr(0, 19) + "Z";  // without fractions, which cairo does not read
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, date.c_str());
@@ -44,14 +47,11 @@ void write_pdf(const std::vector<PdfPage>& pages, const std::string& title, cons
     }
   }
   cairo_surface_finish(surface.get());
-  std::error_code error;
   const cairo_status_t status = cairo_surface_status(surface.get());
-  if (status == CAIRO_STATUS_SUCCESS) std::filesystem::rename(half, file, error);
-  if (status == CAIRO_STATUS_SUCCESS && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(half, ignored);
-  throw results::Error(fmt::format("{}: cannot be written ({})", file.string(),
-                                   error ? error.message() : cairo_status_to_string(status)));
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw results::Error(
+        fmt::format("{}: cannot be drawn ({})", file.string(), cairo_status_to_string(status)));
+  results::replace_file(file, pdf);
 }
 
 }  // namespace cpt::reports

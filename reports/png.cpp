@@ -8,7 +8,7 @@
 #include <cstring>
 #include <memory>
 
-#include "results/error.hpp"
+#include "results/atomic_file.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -37,6 +37,18 @@ Surface surface_of(const Picture& picture) {
                 static_cast<std::size_t>(picture.width) * sizeof(std::uint32_t));
   cairo_surface_mark_dirty(surface.get());
   return surface;
+}
+
+std::string png_bytes(const Picture& picture) {
+  std::string png;
+  const auto append = [](void* to, const unsigned char* bytes, unsigned count) {
+    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), count);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface_of(picture).get(), append, &png);
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw results::Error(fmt::format("a picture cannot be drawn ({})", cairo_status_to_string(status)));
+  return png;
 }
 
 }  // namespace
@@ -76,10 +88,7 @@ Picture render(const std::string& svg, double dots_per_inch, const std::string& 
 }
 
 void write_png(const Picture& picture, const std::filesystem::path& file) {
-  const cairo_status_t status = cairo_surface_write_to_png(surface_of(picture).get(), file.c_str());
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw results::Error(
-        fmt::format("{}: cannot be written ({})", file.string(), cairo_status_to_string(status)));
+  results::replace_file(file, png_bytes(picture));
 }
 
 void write_png(const std::string& svg, const std::filesystem::path& file, double dots_per_inch) {
@@ -87,14 +96,7 @@ void write_png(const std::string& svg, const std::filesystem::path& file, double
 }
 
 std::string png_uri(const Picture& picture) {
-  std::string png;
-  const auto append = [](void* to, const unsigned char* bytes, unsigned count) {
-    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), count);
-    return CAIRO_STATUS_SUCCESS;
-  };
-  const cairo_status_t status = cairo_surface_write_to_png_stream(surface_of(picture).get(), append, &png);
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw results::Error(fmt::format("a picture cannot be drawn ({})", cairo_status_to_string(status)));
+  const std::string png = png_bytes(picture);
   const std::unique_ptr<gchar, decltype(&g_free)> text(
       g_base64_encode(reinterpret_cast<const guchar*>(png.data()), png.size()), g_free);
   return "data:image/png;base64," + std::string(text.get());

@@ -7,6 +7,7 @@
 
 #include "results/hdf5_file.hpp"
 #include "results/provenance.hpp"
+#include "results/refusal.hpp"
 #include "solver/instruction_set.hpp"
 #include "solver/simulate.hpp"
 
@@ -67,7 +68,7 @@ CheckpointFolder::CheckpointFolder(const std::filesystem::path& database,
     : folder_(std::filesystem::absolute(database).replace_extension(".checkpoints")) {
   std::error_code problem;
   std::filesystem::create_directory(folder_, problem);
-  if (problem) throw Error(fmt::format("{}: cannot be made ({})", folder_.string(), problem.message()));
+  if (problem) throw Error(refusal(folder_, "cannot be made", problem));
   std::vector<std::filesystem::path> stale;
   for (const auto& entry : std::filesystem::directory_iterator(folder_, problem)) {
     const std::string name = entry.path().filename().string();

@@ -4,17 +4,42 @@
 #include <sqlite3.h>
 
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <thread>
 #include <utility>
+
+#include "results/patience.hpp"
+#include "results/refusal.hpp"
 
 namespace cpt::results {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "curves are stored as little-endian doubles");
 
-constexpr int busy_timeout_ms = 10'000;
+constexpr std::size_t longest_path = 504;  // [bytes] that SQLite takes; room for "-journal" is left
+
+std::string system_cause(sqlite3* connection) {
+  const int why = connection != nullptr ? sqlite3_system_errno(connection) : 0;
+  return why != 0 ? fmt::format(": {}", std::strerror(why)) : "";
+}
+
+/// SQLite's own message says no more than "unable to open database file".
+[[noreturn]] void fail_to_open(const std::string& file, sqlite3* connection, const std::string& detail) {
+  std::error_code unknown;
+  const std::size_t length = std::filesystem::weakly_canonical(file, unknown).native().size();
+  if (!unknown && length > longest_path)
+    throw Error(
+        fmt::format("{}: cannot be opened (its path has {} bytes, and SQLite takes {}); move the study to a "
+                    "folder with a "
+                    "shorter path, or name a database elsewhere: [output] database = ...",
+                    file, length, longest_path));
+  if (const int why = connection != nullptr ? sqlite3_system_errno(connection) : 0; why != 0)
+    throw Error(refusal(file, "cannot be opened", why));
+  throw Error(fmt::format("{}: cannot be opened ({})", file, detail));
+}
 
 [[noreturn]] void fail(const std::string& file, sqlite3* connection, int code) {
   const std::string detail = connection != nullptr ? sqlite3_errmsg(connection) : sqlite3_errstr(code);
@@ -24,25 +49,36 @@ constexpr int busy_timeout_ms = 10'000;
     case SQLITE_CORRUPT:
       fail_damaged(file, detail);
     case SQLITE_CANTOPEN:
-      throw Error(fmt::format("{}: cannot be opened ({})", file, detail));
+      fail_to_open(file, connection, detail);
     case SQLITE_FULL:
       throw Error(fmt::format("{}: the disk is full ({}); free some space and run again", file, detail));
     case SQLITE_READONLY:
       throw Error(fmt::format("{}: cannot be written ({}); give write permission on it and its folder", file,
                               detail));
     case SQLITE_IOERR:
-      throw Error(
-          fmt::format("{}: reading or writing failed ({}; is the disk full or failing?)", file, detail));
+      throw Error(fmt::format("{}: reading or writing failed ({}{}; is the disk full or failing?)", file,
+                              detail, system_cause(connection)));
     case SQLITE_CONSTRAINT:
       throw ConstraintViolation(detail);
     case SQLITE_BUSY:
-      throw Error(fmt::format("{}: another program keeps the database busy ({})", file, detail));
+      throw Busy(fmt::format("{}: {} keeps the database locked ({}); close it there and run again", file,
+                             who_keeps(file), detail));
     case SQLITE_ERROR:
       throw BadStatement(fmt::format("{}: {}", file, detail),
                          connection != nullptr ? sqlite3_error_offset(connection) : -1);
     default:
       throw Error(fmt::format("{}: {}", file, detail));
   }
+}
+
+/// SQLite asks when the file is locked: nonzero tries again.
+int wait_for_lock(void* connection, int before) {
+  constexpr std::chrono::milliseconds step(50);
+  const double waited = std::chrono::duration<double>(step).count() * before;
+  const char* file = sqlite3_db_filename(static_cast<sqlite3*>(connection), "main");
+  if (!Patience::lasts(file != nullptr ? file : "", waited)) return 0;
+  std::this_thread::sleep_for(step);
+  return 1;
 }
 
 constexpr const char* any_read = "SELECT count(*) FROM sqlite_schema";
@@ -55,7 +91,7 @@ bool waits_for_a_writer(sqlite3* connection) {
 void play_back_journal(const std::filesystem::path& file) {
   sqlite3* connection = nullptr;
   if (sqlite3_open_v2(file.c_str(), &connection, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK) {
-    sqlite3_busy_timeout(connection, busy_timeout_ms);
+    sqlite3_busy_handler(connection, wait_for_lock, connection);
     sqlite3_exec(connection, any_read, nullptr, nullptr, nullptr);
   }
   sqlite3_close_v2(connection);
@@ -203,9 +239,11 @@ std::variant<std::monostate, std::int64_t, double, std::string> Statement::cell(
 
 Database::Database(const std::filesystem::path& file, Mode mode) : file_(file) {
   // Opening is lazy in SQLite, and a missing file or a folder would give a message of little help.
+  std::error_code problem;
+  if (mode != Mode::read_write && !std::filesystem::exists(file, problem))
+    throw Error(problem ? refusal(file, "cannot be opened", problem)
+                        : fmt::format("{}: no such database; run the campaign first", file.string()));
   std::error_code ignored;
-  if (mode != Mode::read_write && !std::filesystem::exists(file, ignored))
-    throw Error(fmt::format("{}: no such database; run the campaign first", file.string()));
   if (std::filesystem::is_directory(file, ignored))
     throw Error(fmt::format("{}: is a folder, not a database", file.string()));
   const int flags =
@@ -213,7 +251,7 @@ Database::Database(const std::filesystem::path& file, Mode mode) : file_(file) {
   const int code = sqlite3_open_v2(file.c_str(), &connection_, flags | SQLITE_OPEN_EXRESCODE, nullptr);
   try {
     if (code != SQLITE_OK) fail(file.string(), connection_, code);
-    sqlite3_busy_timeout(connection_, busy_timeout_ms);
+    sqlite3_busy_handler(connection_, wait_for_lock, connection_);
     if (mode == Mode::read_only && waits_for_a_writer(connection_)) play_back_journal(file);
     // SQLite then also reads a file that is shorter than it should be, or has a broken definition.
     if (mode == Mode::salvage) execute("PRAGMA writable_schema = ON");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "results/atomic_file.hpp"
 #include "results/point_quantities.hpp"
 
 namespace cpt::results {
@@ -42,9 +43,7 @@ VtkArray array_of(const PointQuantity& quantity, const std::vector<solver::Point
 
 FieldSeries::FieldSeries(std::filesystem::path folder, std::string name, std::string origin)
     : folder_(std::move(folder)), name_(std::move(name)), origin_(std::move(origin)) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) throw Error(fmt::format("{}: cannot be made ({})", folder_.string(), error.message()));
+  make_folder(folder_);
 }
 
 std::filesystem::path FieldSeries::file() const { return folder_ / (name_ + ".pvd"); }

@@ -7,11 +7,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <string>
 
 #include "results/error.hpp"
+#include "results/refusal.hpp"
 
 namespace cpt::results {
 namespace {
@@ -36,15 +36,14 @@ FileLock::FileLock(std::filesystem::path file) : file_(std::move(file)) {
   while (true) {
     // Close-on-exec: a realization's own process must not inherit, and outlive us with, the lock.
     descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (descriptor_ < 0)
-      throw Error(fmt::format("{}: cannot be created ({})", file_.string(), std::strerror(errno)));
+    if (descriptor_ < 0) throw Error(refusal(file_, "cannot be created", errno));
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       const int why = errno;
       close(descriptor_);
       if (why == EWOULDBLOCK)
         throw Locked(fmt::format("{}: held by {}; wait until that campaign ends, or end it", file_.string(),
                                  holder(file_)));
-      throw Error(fmt::format("{}: cannot be locked ({})", file_.string(), std::strerror(why)));
+      throw Error(refusal(file_, "cannot be locked", why));
     }
     if (still_named(descriptor_, file_)) break;
     close(descriptor_);

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <string_view>
 
 #include "results/atomic_file.hpp"
+#include "results/file_bytes.hpp"
 #include "results/provenance.hpp"
 
 namespace cpt::results {
@@ -222,9 +222,10 @@ void write_hdf5(const std::filesystem::path& file, const std::function<void(cons
 
 void read_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& read) {
   const QuietErrors quiet;
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw Error("cannot be read");
+  std::error_code why;
+  std::optional<std::string> read_bytes = bytes_of(file, why);
+  if (!read_bytes) throw Error(fmt::format("cannot be read: {}", why.message()));
+  std::string& bytes = *read_bytes;
   check_seal(bytes);
   const Handle access = file_in_memory();
   check(H5Pset_file_image(access.id(), bytes.data(), bytes.size()), "take the file's bytes");

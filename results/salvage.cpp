@@ -1,13 +1,12 @@
 #include "results/salvage.hpp"
 
-#include <fmt/format.h>
-
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "results/database.hpp"
 #include "results/ledger_rows.hpp"
+#include "results/refusal.hpp"
 
 namespace cpt::results {
 
@@ -41,7 +40,7 @@ std::filesystem::path set_aside(const std::filesystem::path& database) {
     std::filesystem::remove(to, problem);
     if (!std::filesystem::exists(from, problem)) continue;
     std::filesystem::rename(from, to, problem);
-    if (problem) throw Error(fmt::format("{}: cannot be moved aside ({})", from, problem.message()));
+    if (problem) throw Error(refusal(from, "cannot be moved aside", problem));
   }
   return aside;
 }

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "results/error.hpp"
+#include "results/atomic_file.hpp"
 
 namespace cpt::results {
 namespace {
@@ -136,11 +135,6 @@ std::string format(const Table& table, Format format) {
   return as_table(table);
 }
 
-void write_csv(const std::filesystem::path& file, const Table& table) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << as_csv(table);
-  stream.close();
-  if (!stream) throw Error(fmt::format("{}: cannot be written", file.string()));
-}
+void write_csv(const std::filesystem::path& file, const Table& table) { replace_file(file, as_csv(table)); }
 
 }  // namespace cpt::results

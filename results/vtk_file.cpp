@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <fstream>
 #include <numeric>
+
+#include "results/atomic_file.hpp"
 
 namespace cpt::results {
 namespace {
@@ -55,13 +56,6 @@ std::string attributes_of(const VtkArray& array) {
   return text;
 }
 
-void write(const std::filesystem::path& file, const std::string& content) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << content;
-  stream.close();
-  if (!stream) throw Error(fmt::format("{}: cannot be written", file.string()));
-}
-
 }  // namespace
 
 void write_vtu(const std::filesystem::path& file, const VtkPoints& points) {
@@ -87,14 +81,14 @@ void write_vtu(const std::filesystem::path& file, const VtkPoints& points) {
   for (const VtkArray& array : points.arrays)
     xml += appended.announce("Float64", attributes_of(array), array.values);
   xml += "</PointData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-  write(file, xml + appended.bytes() + "\n</AppendedData>\n</VTKFile>\n");
+  replace_file(file, xml + appended.bytes() + "\n</AppendedData>\n</VTKFile>\n");
 }
 
 void write_pvd(const std::filesystem::path& file, const std::vector<VtkFrame>& frames) {
   std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
   for (const VtkFrame& frame : frames)
     xml += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", frame.time, escaped(frame.file));
-  write(file, xml + "</Collection>\n</VTKFile>\n");
+  replace_file(file, xml + "</Collection>\n</VTKFile>\n");
 }
 
 }  // namespace cpt::results

@@ -6,9 +6,10 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <cstring>
-#include <fstream>
+#include <optional>
 #include <sstream>
 
+#include "results/file_bytes.hpp"
 #include "results/vtk_file.hpp"
 
 namespace cpt::results {
@@ -20,11 +21,13 @@ constexpr const char* byte_order = std::endian::native == std::endian::little ? 
 constexpr std::string_view before_bytes = "<AppendedData encoding=\"raw\">\n_";
 
 std::string content_of(const std::filesystem::path& file) {
-  std::error_code error;
-  std::ifstream stream(file, std::ios::binary);
-  if (!std::filesystem::is_regular_file(file, error) || !stream)
-    throw Error(fmt::format("{}: missing or not readable", file.string()));
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::error_code why;
+  std::optional<std::string> content;
+  if (std::filesystem::is_regular_file(file, why)) content = bytes_of(file, why);
+  if (!content)
+    throw Error(fmt::format("{}: missing or not readable{}", file.string(),
+                            why ? fmt::format(" ({})", why.message()) : ""));
+  return *std::move(content);
 }
 
 ptree parsed(const std::string& xml) {

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "parameters/designs/one_at_a_time.hpp"
 #include "results/atomic_file.hpp"
+#include "results/file_bytes.hpp"
 #include "results/provenance.hpp"
 
 namespace cpt::diagnosis::concealed {
@@ -17,10 +16,10 @@ namespace {
 using Json = nlohmann::json;
 
 Json read_json(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream.is_open()) throw std::invalid_argument(fmt::format("cannot read {}", file.string()));
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  Json json = Json::parse(text, nullptr, false);
+  std::error_code why;
+  const std::optional<std::string> text = results::bytes_of(file, why);
+  if (!text) throw std::invalid_argument(fmt::format("cannot read {} ({})", file.string(), why.message()));
+  Json json = Json::parse(*text, nullptr, false);
   if (json.is_discarded() || !json.is_object())
     throw std::invalid_argument(fmt::format("{} is not what `campaign conceal` wrote", file.string()));
   return json;
@@ -58,7 +57,7 @@ std::string salt_of(const Json& sealed, int id) {
 }  // namespace
 
 void write_whole(const std::filesystem::path& file, const std::string& text) {
-  std::filesystem::create_directories(file.parent_path());
+  results::make_folder(file.parent_path());
   results::write_atomically(file, text, "");
 }
 

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <optional>
 
 #include "parameters/document.hpp"
 #include "reports/paper/compare.hpp"
 #include "reports/text.hpp"
+#include "results/file_bytes.hpp"
+#include "results/refusal.hpp"
 
 namespace cpt::reports::paper {
 namespace {
@@ -21,10 +22,10 @@ class Reader {
   explicit Reader(const std::filesystem::path& file) : file_(file) {}
 
   std::vector<Cause> read() const {
-    std::ifstream stream(file_, std::ios::binary);
-    const std::string toml{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) throw results::Error(file_.string() + ": cannot be read");
-    const auto parsed = parameters::parse_document(toml);
+    std::error_code why;
+    const std::optional<std::string> toml = results::bytes_of(file_, why);
+    if (!toml) throw results::Error(results::refusal(file_, "cannot be read", why));
+    const auto parsed = parameters::parse_document(*toml);
     if (const auto* error = std::get_if<parameters::SyntaxError>(&parsed)) fail(error->place, error->message);
     std::vector<Cause> causes;
     for (const parameters::Member& row : std::get<Node>(parsed).members) causes.push_back(cause(row));

@@ -101,6 +101,8 @@ Result Background::wait() {
           read_file(err_)};
 }
 
+std::string Background::err_so_far() const { return read_file(err_); }
+
 Result run(const Command& command, const std::vector<std::string>& variables) {
   return Background(command, variables).wait();
 }

@@ -34,6 +34,8 @@ class Background {
   Background& operator=(const Background&) = delete;
   [[nodiscard]] pid_t pid() const { return pid_; }
   [[nodiscard]] Result wait();
+  /// What it has written to stderr until now.
+  [[nodiscard]] std::string err_so_far() const;
 
  private:
   pid_t pid_ = -1;

@@ -34,9 +34,10 @@ inline void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name;
 
 [[nodiscard]] const std::vector<Fault>& all_faults();
 
-// One file each: kills.cpp, storage_faults.cpp, other_faults.cpp.
+// One file each: kills.cpp, storage_faults.cpp, refusal_faults.cpp, other_faults.cpp.
 [[nodiscard]] std::vector<Fault> kills();
 [[nodiscard]] std::vector<Fault> storage_faults();
+[[nodiscard]] std::vector<Fault> refusal_faults();
 [[nodiscard]] std::vector<Fault> other_faults();
 
 }  // namespace cpt::tests
