@@ -410,9 +410,12 @@ Summary run_campaign(const parameters::Study& study, const std::string& study_te
 Summary run_campaign(const parameters::Study& study, const std::string& study_text, Transport& transport,
                      Executor& executor, const RunOptions& options, ProgressDisplay& display) {
   const std::vector<parameters::Realization> realizations = parameters::one_at_a_time(study);
-  results::Ledger ledger = results::Ledger::open_for_run(
-      study, realizations, {study_text, options.retry_failed, options.file_system});
-  for (const std::string& message : ledger.opened().messages) display.note(message);
+  results::Ledger ledger =
+      results::Ledger::open_for_run(study, realizations,
+                                    {study_text, options.retry_failed, options.file_system,
+                                     [&](std::string_view message) { display.note(message); }});
+  if (const int adopted = ledger.adopt(options.adopt_from); adopted > 0)
+    display.note(fmt::format("{} realizations taken from {}", adopted, options.adopt_from.string()));
   return Master(study, realizations, ledger, transport, executor, options, display).run();
 }
 

@@ -1,6 +1,7 @@
 // How a campaign is run; none of it changes a bit of its results.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ struct RunOptions {
   double rank_limit_seconds = 30.0;   ///< a worker silent for so long is lost
   double checkpoint_seconds = 300.0;  ///< between two checkpoints of a realization; 0: none at all
   std::optional<results::FileSystem> file_system = {};  ///< of the database; found out if not given
-  bool retry_failed = false;  ///< run realizations again that failed in an earlier campaign
+  bool retry_failed = false;              ///< run realizations again that failed in an earlier campaign
+  std::filesystem::path adopt_from = {};  ///< another database; what it has completed is not run again
 };
 
 }  // namespace cpt::campaign

@@ -21,6 +21,7 @@ void add_query(CLI::App& program, Action& action);
 void add_compare(CLI::App& program, Action& action);
 void add_export(CLI::App& program, Action& action);
 void add_import(CLI::App& program, Action& action);
+void add_prune(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_element(CLI::App& program, Action& action);
 void add_list(CLI::App& program, Action& action);

@@ -7,7 +7,7 @@
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/format_option.hpp"
-#include "cli/study_argument.hpp"
+#include "cli/ledger_argument.hpp"
 #include "results/compare.hpp"
 
 namespace cpt::cli {
@@ -20,8 +20,8 @@ struct Arguments {
 };
 
 int compare(const Arguments& arguments) {
-  const results::Snapshot a = results::read_snapshot(database_of(arguments.a)),
-                          b = results::read_snapshot(database_of(arguments.b));
+  const results::Snapshot a = results::read_snapshot(open_ledger(arguments.a)),
+                          b = results::read_snapshot(open_ledger(arguments.b));
   const results::Table table = arguments.what == "settings"      ? results::compare_settings(a, b)
                                : arguments.what == "sensitivity" ? results::compare_sensitivity(a, b)
                                                                  : results::compare_means(a, b);

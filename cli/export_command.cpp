@@ -7,6 +7,7 @@
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/export_format.hpp"
+#include "cli/ledger_argument.hpp"
 #include "cli/study_argument.hpp"
 #include "results/atomic_file.hpp"
 #include "results/campaign_tables.hpp"
@@ -50,13 +51,14 @@ std::filesystem::path target_of(const Arguments& arguments, const std::filesyste
 int export_campaign(const Arguments& arguments) {
   const std::filesystem::path database = database_of(arguments.source);
   const std::filesystem::path to = target_of(arguments, database);
+  const results::LedgerView ledger = open_ledger(arguments.source);
   if (arguments.format == "csv")
-    write_folder(to, results::campaign_tables(database));
+    write_folder(to, results::campaign_tables(ledger.database));
   else if (arguments.format == "json")
-    write(to,
-          results::json_document(export_format, results::schema_version, results::campaign_tables(database)));
+    write(to, results::json_document(export_format, results::schema_version,
+                                     results::campaign_tables(ledger.database)));
   else
-    write(to, results::dakota_table(results::read_snapshot(database)));
+    write(to, results::dakota_table(results::read_snapshot(ledger)));
   return all_well;
 }
 

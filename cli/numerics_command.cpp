@@ -7,6 +7,7 @@
 
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/ledger_argument.hpp"
 #include "cli/study_argument.hpp"
 #include "reports/numerics/write_numerics.hpp"
 
@@ -21,7 +22,8 @@ struct Arguments {
 int numerics(const Arguments& arguments) {
   std::vector<reports::numerics::NumericsStudy> studies;
   for (const std::filesystem::path& source : arguments.sources)
-    studies.push_back(reports::numerics::read_numerics(database_of(source)));
+    studies.push_back(
+        reports::numerics::read_numerics(results::read_snapshot(open_ledger(source)), database_of(source)));
   for (const auto& file : reports::numerics::write_numerics(studies, arguments.out))
     fmt::print("{}\n", file.string());
   return all_well;

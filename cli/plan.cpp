@@ -3,26 +3,23 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <filesystem>
-#include <map>
+#include <optional>
 
 #include "cli/exit_codes.hpp"
+#include "cli/sample_growth.hpp"
 #include "parameters/designs/one_at_a_time.hpp"
-#include "results/provenance.hpp"
-#include "results/snapshot.hpp"
+#include "results/matching.hpp"
 #include "results/table_format.hpp"
 #include "solver/simulate.hpp"
 
 namespace cpt::cli {
 namespace {
 
-// Status of what the database holds, by settings hash.
-std::map<std::string, std::string> known_status(const parameters::Study& study) {
-  std::map<std::string, std::string> status;
-  if (!std::filesystem::exists(study.database)) return status;
-  for (const results::RealizationRow& row : results::read_snapshot(study.database).realizations)
-    status[row.settings_hash] = row.status;
-  return status;
+// Of a realization, as its database has it.
+std::string status_of(const results::MatchedRun& run) {
+  if (!run.held) return "new";
+  if (run.held->damaged) return "damaged";
+  return run.held->status + (run.held->unused ? ", unused until now" : "");
 }
 
 // Stops a run at its first report: by then the model is built and has made its first steps.
@@ -37,10 +34,10 @@ class StopAtOnce final : public solver::Observer {
 }  // namespace
 
 void print_plan(const parameters::Study& study) {
-  const auto status = known_status(study);
+  const std::optional<results::Prospect> found = results::prospect(study);
   results::Table table{{"id", "parameter", "side", "value", "baseline", "unit", "status"}, {}};
+  std::size_t k = 0;
   for (const parameters::Realization& realization : parameters::one_at_a_time(study)) {
-    const auto found = status.find(results::settings_hash(parameters::make_setup(study, realization)));
     std::string baseline;
     std::string unit;
     if (realization.row >= 0) {
@@ -50,9 +47,13 @@ void print_plan(const parameters::Study& study) {
     }
     table.rows.push_back({std::int64_t{realization.id}, std::string(parameter_name(study, realization)),
                           std::string(to_string(realization.side)), value_text(study, realization), baseline,
-                          unit, found == status.end() ? "new" : found->second});
+                          unit, found ? status_of(found->matching.realizations.at(k++)) : "new"});
   }
   fmt::print("{}", results::format(table, results::Format::table));
+  if (const std::string note = growth_note(study); !note.empty()) fmt::print("{}\n", note);
+  if (!found) return;
+  for (const std::string& message : found->opened.messages) fmt::print("{}\n", message);
+  if (const std::string advice = growth_advice(study, *found); !advice.empty()) fmt::print("{}\n", advice);
 }
 
 int validate(const parameters::Study& study) {

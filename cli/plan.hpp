@@ -5,7 +5,8 @@
 
 namespace cpt::cli {
 
-/// Prints the realizations with their values and, if the study has been run before, their status.
+/// Prints the realizations with their values and, if the study has been run before, their status; then what a
+/// start would keep, leave unused and run. Writes nothing.
 void print_plan(const parameters::Study& study);
 
 /// Builds the model of every realization and lets it make its first steps; prints what is wrong. Returns the

@@ -7,6 +7,7 @@
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/format_option.hpp"
+#include "cli/ledger_argument.hpp"
 #include "cli/study_argument.hpp"
 #include "results/query.hpp"
 
@@ -39,9 +40,9 @@ int query(const Arguments& arguments) {
   if (sql == arguments.sql.empty())
     throw BadInput(sql ? "query sql needs a statement: campaign query STUDY sql \"select ...\""
                        : fmt::format("unexpected '{}' after {}", arguments.sql, arguments.what));
-  const std::filesystem::path database = database_of(arguments.source);
-  const results::Table table =
-      sql ? results::query_sql(database, arguments.sql) : results::query(database, arguments.what);
+  const results::LedgerView ledger = open_ledger(arguments.source);
+  const results::Table table = sql ? results::query_sql(ledger.database, arguments.sql)
+                                   : results::query(ledger.database, arguments.what);
   if (arguments.what == "effects" && table.rows.empty())
     throw BadInput(
         "the study has no [design]; of one-at-a-time runs, campaign query STUDY sensitivity tells");
@@ -69,7 +70,10 @@ void add_query(CLI::App& program, Action& action) {
       ->check(CLI::IsMember(names).description(""));
   command->add_option("SQL", arguments->sql, "Statement, after sql")->type_name("");
   add_format_option(*command, arguments->format);
-  command->footer(what_help());
+  command->footer(what_help() + R"(
+
+Of a study that was edited since its campaign last ran, what the file says now is answered, with averages from the
+stored curves; of a database, what is stored.)");
   command->callback([arguments, &action] { action = [arguments] { return query(*arguments); }; });
 }
 

@@ -10,6 +10,7 @@
 #include "campaign/stop_signals.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/ledger_argument.hpp"
 #include "cli/study_argument.hpp"
 #include "cli/study_report.hpp"
 #include "reports/labels.hpp"
@@ -47,21 +48,25 @@ int watch(const Arguments& arguments, const std::filesystem::path& database,
           const std::filesystem::path& directory) {
   const campaign::StopSignals signals;
   results::LedgerWatch ledger(database);
+  bool quiet = false;  // what is to be said of an edited study is said once
   const int reload_seconds = std::max(1, static_cast<int>(arguments.every_seconds));
   while (campaign::StopSignals::received() == 0) {
     if (ledger.changed()) {
-      const results::Snapshot campaign = results::read_snapshot(database);
+      const results::LedgerView view = open_ledger(arguments.source, quiet);
+      const results::Snapshot campaign = results::read_snapshot(view);
+      quiet = true;
       const bool running = std::any_of(campaign.realizations.begin(), campaign.realizations.end(),
                                        [](const auto& run) { return run.waiting(); });
-      const auto files =
-          write_study_report(campaign, database, directory, running ? reload_seconds : 0, arguments.column());
+      const auto files = write_study_report(campaign, database, directory, running ? reload_seconds : 0,
+                                            arguments.column(), view.notes);
       fmt::print("{}: {}\n", files.front().string(), reports::state_of(campaign));
       std::fflush(stdout);
       if (!running) return all_well;
     }
     sleep(std::chrono::duration<double>(arguments.every_seconds));
   }
-  write_study_report(results::read_snapshot(database), database, directory, 0, arguments.column());
+  const results::LedgerView view = open_ledger(arguments.source, quiet);
+  write_study_report(results::read_snapshot(view), database, directory, 0, arguments.column(), view.notes);
   return stopped_by_signal + campaign::StopSignals::received();
 }
 
@@ -69,8 +74,9 @@ int report(const Arguments& arguments) {
   const std::filesystem::path database = database_of(arguments.source),
                               directory = report_directory(arguments);
   if (arguments.watch) return watch(arguments, database, directory);
-  for (const auto& file :
-       write_study_report(results::read_snapshot(database), database, directory, 0, arguments.column()))
+  const results::LedgerView view = open_ledger(arguments.source);
+  for (const auto& file : write_study_report(results::read_snapshot(view), database, directory, 0,
+                                             arguments.column(), view.notes))
     fmt::print("{}\n", file.string());
   return all_well;
 }

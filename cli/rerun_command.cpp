@@ -13,6 +13,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/realization_command.hpp"
 #include "cli/study_argument.hpp"
+#include "results/ledger_view.hpp"
 #include "results/provenance.hpp"
 #include "results/snapshot.hpp"
 
@@ -26,8 +27,9 @@ struct Arguments {
   std::string executor;
 };
 
-results::StoredRun find_stored(const parameters::Study& study, const solver::Setup& setup, int id) {
-  auto stored = results::read_run(study.database, id);
+results::StoredRun find_stored(const StudyFile& file, const solver::Setup& setup, int id) {
+  const parameters::Study& study = file.study;
+  auto stored = results::read_run(results::view_ledger(study, file.text).database, id);
   if (!stored || stored->row.waiting())
     throw BadInput(
         fmt::format("{} holds no finished realization {}; run the study first", study.database.string(), id));
@@ -74,13 +76,14 @@ int compare(const results::StoredRun& stored, const solver::Outcome& outcome, in
 
 int rerun(const Arguments& arguments) {
   const campaign::StopSignals signals;
-  const parameters::Study study = read_study_file(arguments.study).study;
+  const StudyFile file = read_study_file(arguments.study);
+  const parameters::Study& study = file.study;
   campaign::Order order;
   order.realization = arguments.id;
   order.setup = parameters::make_setup(study, find_realization(study, arguments.id));
   order.wall_limit_seconds = study.wall_limit_seconds;
   order.threads = arguments.threads > 0 ? arguments.threads : campaign::use_allowed_cores(false);
-  const results::StoredRun stored = find_stored(study, order.setup, arguments.id);
+  const results::StoredRun stored = find_stored(file, order.setup, arguments.id);
   const std::optional<solver::Outcome> outcome = run_alone(order, arguments.executor);
   if (!outcome) return stopped_by_signal + campaign::StopSignals::received();
   return compare(stored, *outcome, arguments.id);

@@ -13,6 +13,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/plan.hpp"
 #include "cli/realization_command.hpp"
+#include "cli/sample_growth.hpp"
 #include "cli/study_argument.hpp"
 #include "cli/study_remarks.hpp"
 #include "cli/study_report.hpp"
@@ -48,10 +49,12 @@ int exit_code(const campaign::Summary& summary) {
 int run_as_master(const Arguments& arguments, campaign::Transport& transport, bool& ranks_lost) {
   const campaign::Dismissal dismissal(transport);
   const StudyFile file = read_study_file(arguments.study);
+  refuse_forgotten_growth(file.study);
   if (!arguments.quiet) print_remarks(file.study);
   const auto style = arguments.quiet ? campaign::ProgressDisplay::Style::silent
                                      : campaign::ProgressDisplay::style_of(stderr);
   campaign::ProgressDisplay display(stderr, style);
+  if (const std::string note = growth_note(file.study); !note.empty()) display.note(note);
   const campaign::Summary summary =
       campaign::run_campaign(file.study, file.text, transport, arguments.options, display);
   ranks_lost = summary.ranks_lost;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "reports/column.hpp"
@@ -10,11 +11,13 @@
 namespace cpt::cli {
 
 /// The report (see reports/report.hpp) with the answers of the study's diagnoses, which lie beside the
-/// database. A page with `reload_seconds` loads itself anew so often. Returns the files, the page first.
+/// database. A page with `reload_seconds` loads itself anew so often; `notes` stand in its head. Returns the
+/// files, the page first.
 std::vector<std::filesystem::path> write_study_report(const results::Snapshot& campaign,
                                                       const std::filesystem::path& database,
                                                       const std::filesystem::path& directory,
                                                       int reload_seconds = 0,
-                                                      reports::Column column = reports::Column::one_and_half);
+                                                      reports::Column column = reports::Column::one_and_half,
+                                                      const std::vector<std::string>& notes = {});
 
 }  // namespace cpt::cli

@@ -9,8 +9,6 @@
 #include "campaign/worker.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/study_argument.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
-#include "results/ledger.hpp"
 
 namespace cpt::cli {
 namespace {
@@ -32,13 +30,11 @@ int as_master(campaign::Transport& transport, bool& ranks_lost,
 }  // namespace
 
 results::Snapshot StudyRunner::run(const parameters::Study& study, const std::filesystem::path& finished) {
-  const int adopted =
-      results::Ledger::open_for_run(study, parameters::one_at_a_time(study), {study_text_, false})
-          .adopt(finished);
-  if (!quiet_ && adopted > 0) fmt::print("{} realizations taken from {}\n", adopted, finished.string());
+  campaign::RunOptions options = options_;
+  options.adopt_from = finished;
   campaign::ProgressDisplay display(stderr, quiet_ ? campaign::ProgressDisplay::Style::silent
                                                    : campaign::ProgressDisplay::style_of(stderr));
-  const campaign::Summary summary = campaign::run_campaign(study, study_text_, transport_, options_, display);
+  const campaign::Summary summary = campaign::run_campaign(study, study_text_, transport_, options, display);
   ranks_lost_ = ranks_lost_ || summary.ranks_lost;
   if (summary.signal != 0) throw Stopped{summary.signal};
   return results::read_snapshot(study.database);

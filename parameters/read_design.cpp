@@ -22,7 +22,8 @@ struct Number {
   std::string_view key;
   std::vector<Kind> kinds;  // that know it
 };
-const std::array<Number, 4> numbers = {{{"runs", {Kind::latin_hypercube, Kind::sobol}},
+const std::array<Number, 5> numbers = {{{"runs", {Kind::latin_hypercube, Kind::sobol}},
+                                        {"first_runs", {Kind::latin_hypercube}},
                                         {"trajectories", {Kind::morris}},
                                         {"levels", {Kind::morris}},
                                         {"seed", {Kind::morris, Kind::latin_hypercube, Kind::sobol}}}};
@@ -40,6 +41,7 @@ class DesignReader {
     design_.kind = static_cast<Kind>(place - design_kinds().begin());
     sound = read_parameters() && sound;
     for (const Number& number : numbers) sound = read_number(number) && sound;
+    sound = sound && growth();
     return sound && affordable() ? design_ : Design();
   }
 
@@ -127,6 +129,7 @@ class DesignReader {
     if (!known) return true;
     const auto given = number_field(table_, "design", number.key, false, errors_);
     if (member != nullptr && !given) return false;
+    if (number.key == "first_runs" && !given) return true;
     const double value = given.value_or(usual(number.key));
     const Key& key = key_named(study_keys(), "design", number.key);
     const bool even = number.key != "levels" || std::fmod(value, 2.0) == 0.0;
@@ -138,9 +141,10 @@ class DesignReader {
     if (number.key == "seed")
       design_.seed = static_cast<std::uint64_t>(value);
     else
-      (number.key == "runs"     ? design_.runs
-       : number.key == "levels" ? design_.levels
-                                : design_.trajectories) = static_cast<int>(value);
+      (number.key == "runs"         ? design_.runs
+       : number.key == "first_runs" ? design_.first_runs
+       : number.key == "levels"     ? design_.levels
+                                    : design_.trajectories) = static_cast<int>(value);
     return true;
   }
 
@@ -152,6 +156,13 @@ class DesignReader {
     if (design_.kind == Kind::sobol) return 64.0;
     return 10.0 *
            static_cast<double>(design_.rows.size());  // Loeppky, Sacks & Welch (2009), Technometrics 51
+  }
+
+  bool growth() {
+    if (design_.first_runs <= design_.runs) return true;
+    refuse(*table_.find("first_runs"),
+           fmt::format("{} must be at most runs = {}: a sample grows", design_.first_runs, design_.runs));
+    return false;
   }
 
   bool affordable() {

@@ -41,6 +41,7 @@ struct Design {
   Kind kind = Kind::one_at_a_time;
   std::vector<std::size_t> rows;  ///< that vary together: indices into Study::rows
   int runs = 0;                   ///< latin_hypercube: runs; sobol: rows of the samples A and B
+  int first_runs = 0;             ///< latin_hypercube: runs that it had before it grew; 0: it did not grow
   int trajectories = 0;           ///< morris
   int levels = 0;                 ///< morris: of its grid, even
   std::uint64_t seed = 1;         ///< of its points and of its bootstrap

@@ -61,6 +61,8 @@ std::vector<KeyTable> listed_tables() {
        {{"kind", "text", "required", "which design", least, most, {kinds.begin(), kinds.end()}},
         {"runs", "whole number", "10 for each parameter; of sobol 64",
          "latin_hypercube: runs; sobol: rows of its two samples", 2.0, 20000.0},
+        {"first_runs", "whole number", "as many as runs",
+         "latin_hypercube: runs before it grew; they stay, and the others fill the gaps", 2.0, 20000.0},
         {"trajectories", "whole number", "10", "morris: paths through the parameters", 2.0, 1000.0},
         {"levels", "even number", "4", "morris: levels of its grid", 2.0, 20.0},
         {"seed", "whole number", "1", "of its points and of its bootstrap; not for pairs", 0.0, 1e15},

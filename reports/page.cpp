@@ -79,6 +79,7 @@ Json page_data(const Snapshot& s, const PageContext& context) {
                               {"q_c_kPa", in_kPa(curve.profile.q_c)}});
   data["diagnoses"] = answers(context.diagnoses);
   data["state"] = state_of(s);
+  data["notes"] = context.notes;
   data["newest_result"] = newest;
   data["files"] = context.files;
   data["reload_seconds"] = context.reload_seconds;

@@ -16,6 +16,7 @@ struct PageContext {
   std::vector<std::string> files;                  ///< names of the files beside the page, to link to
   int reload_seconds = 0;                          ///< how often the page loads itself anew; 0: never
   results::Effects effects = {};                   ///< of the study's design
+  std::vector<std::string> notes = {};             ///< what a reader must know first; sentences
 };
 
 /// The page: reports/html/report.html with style, scripts, libraries and all numbers as one JSON block, which

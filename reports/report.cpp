@@ -27,7 +27,7 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
   files.push_back(directory / "report.json");
   write_text(files.back(), report_json(campaign, context.effects));
   files.push_back(directory / "report.pdf");
-  write_pdf(supplement(campaign, campaign_figures(campaign, context.effects), context.effects),
+  write_pdf(supplement(campaign, campaign_figures(campaign, context.effects), context.effects, context.notes),
             campaign.campaign.title, campaign.campaign.created, files.back());
   for (auto file = files.begin() + 1; file != files.end(); ++file)
     context.files.push_back(file->filename().string());

@@ -242,10 +242,11 @@ void write_imports(Writer& out, const Snapshot& s) {
 }  // namespace
 
 std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure>& figures,
-                                const results::Effects& effects) {
+                                const results::Effects& effects, const std::vector<std::string>& notes) {
   Writer out;
   out.heading(s.campaign.title, 16.0);
   out.paragraph(state_of(s) + ".");
+  for (const std::string& note : notes) out.paragraph(note + ".");
   const results::CampaignRow& c = s.campaign;
   out.paragraph(fmt::format(
       "Study {}, profile {}, preset {}; {}campaign begun {}.", c.name, c.profile, c.preset,

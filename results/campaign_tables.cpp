@@ -90,7 +90,10 @@ std::span<const std::string_view> derived_tables() {
 }
 
 std::vector<NamedTable> campaign_tables(const std::filesystem::path& file) {
-  const Database database = open_ledger(file);
+  return campaign_tables(open_ledger(file));
+}
+
+std::vector<NamedTable> campaign_tables(const Database& database) {
   const Transaction transaction(database, Transaction::Kind::read);
   const Snapshot snapshot = read_snapshot(database);
   std::vector<NamedTable> tables;

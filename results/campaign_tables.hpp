@@ -36,5 +36,6 @@ struct LedgerTable {
 /// All that a database holds, in the order of ledger_tables(); then the derived ones. Read in one
 /// transaction; throws Error as read_snapshot.
 [[nodiscard]] std::vector<NamedTable> campaign_tables(const std::filesystem::path& database);
+[[nodiscard]] std::vector<NamedTable> campaign_tables(const Database& database);
 
 }  // namespace cpt::results

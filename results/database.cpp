@@ -284,6 +284,16 @@ void Database::close() {
   sqlite3_close_v2(connection_);
 }
 
+Database Database::copy_in_memory() const {
+  Database copy(":memory:", Mode::read_write);
+  copy.file_ = file_;
+  sqlite3_backup* backup = sqlite3_backup_init(copy.connection_, "main", connection_, "main");
+  if (backup != nullptr) sqlite3_backup_step(backup, -1);
+  const int code = sqlite3_backup_finish(backup);
+  if (code != SQLITE_OK) fail(file_.string(), copy.connection_, code);
+  return copy;
+}
+
 Statement Database::prepare(std::string_view sql) const {
   return Statement(connection_, *idle_, sql, file_.string());
 }

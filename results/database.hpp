@@ -95,6 +95,8 @@ class Database {
   Database(Database&&) noexcept;
   Database& operator=(Database&&) noexcept;
   ~Database();
+  /// A copy in memory that may be written, whatever becomes of the file; messages name the file.
+  [[nodiscard]] Database copy_in_memory() const;
 
   [[nodiscard]] Statement prepare(std::string_view sql) const;
   /// Runs all statements of a text.

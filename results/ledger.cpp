@@ -10,94 +10,16 @@
 #include "results/database.hpp"
 #include "results/file_lock.hpp"
 #include "results/ledger_rows.hpp"
+#include "results/matching.hpp"
 #include "results/provenance.hpp"
 #include "results/salvage.hpp"
 #include "results/schema.hpp"
 #include "results/snapshot.hpp"
 #include "results/study_changes.hpp"
+#include "results/unused_rows.hpp"
 
 namespace cpt::results {
 namespace {
-
-/// How a stored realization enters a new run.
-enum class Fate { keep_completed, keep_failed, wait, interrupted, retry, damaged };
-
-Fate fate_of(const std::string& status, bool retry_failed) {
-  if (status == "completed") return Fate::keep_completed;
-  if (status == "pending") return Fate::wait;
-  // A lost rank is an accident of the machine, not a property of the realization.
-  if (status == "running" || status == "rank_lost") return Fate::interrupted;
-  return retry_failed ? Fate::retry : Fate::keep_failed;
-}
-
-void describe(const std::string& old_solver_version, Opened& opened) {
-  const auto say = [&](int count, std::string_view what) {
-    if (count > 0)
-      opened.messages.push_back(
-          fmt::format("{} {} {}", count, count == 1 ? "realization" : "realizations", what));
-  };
-  say(opened.kept, "kept: completed before with the same settings");
-  say(opened.failed, "failed before and not run again (--retry-failed runs them)");
-  say(opened.retried, "failed before and to be run again");
-  say(opened.interrupted, "interrupted before and to be run again");
-  say(opened.damaged,
-      "damaged in the database (what is stored does not match its checksum) and to be run again");
-  const bool other_solver = old_solver_version != solver::solver_version();
-  say(opened.discarded, other_solver
-                            ? fmt::format("dropped: made by solver version {}, this is {}",
-                                          old_solver_version, solver::solver_version())
-                            : std::string("dropped: finished before with settings the study no longer has"));
-}
-
-/// Gives the stored realizations the ids of the study's, by settings hash, and adds those that are new.
-Opened match_realizations(const Database& database, const parameters::Study& study,
-                          std::span<const parameters::Realization> realizations, bool retry_failed) {
-  struct Old {
-    int id;
-    std::string status;
-    bool damaged;
-  };
-  std::multimap<std::string, Old> old;  // by settings hash
-  std::string old_solver_version;
-  Statement all =
-      database.prepare("SELECT id, settings_hash, status, solver_version FROM realization ORDER BY id");
-  while (all.step()) {
-    const int id = static_cast<int>(all.integer(0));
-    if (old.empty()) old_solver_version = all.text(3);
-    old.insert({all.text(1), {id, all.text(2), matches_checksum(database, id) == std::optional(false)}});
-  }
-
-  // Negative ids keep old and new apart while rows are renumbered; curves follow by ON UPDATE CASCADE.
-  database.execute("UPDATE realization SET id = -id");
-  Opened opened;
-  for (const parameters::Realization& realization : realizations) {
-    const RealizationInput input = describe_input(study, realization);
-    const auto match = old.lower_bound(input.settings_hash);
-    if (match == old.end() || match->first != input.settings_hash) {
-      insert_pending(database, realization.id, input);
-      continue;
-    }
-    const Old& row = match->second;
-    rename_realization(database, -row.id, realization.id, input);
-    const Fate fate = row.damaged ? Fate::damaged : fate_of(row.status, retry_failed);
-    if (fate == Fate::interrupted || fate == Fate::retry || fate == Fate::damaged)
-      clear_outcome(database, realization.id);
-    opened.kept += fate == Fate::keep_completed;
-    opened.failed += fate == Fate::keep_failed;
-    opened.interrupted += fate == Fate::interrupted;
-    opened.retried += fate == Fate::retry;
-    opened.damaged += fate == Fate::damaged;
-    old.erase(match);
-  }
-  for (const auto& [hash, row] : old) {
-    const bool unfinished = row.status == "pending" || row.status == "running" || row.status == "rank_lost";
-    opened.discarded += !row.damaged && !unfinished;
-    opened.damaged += row.damaged;
-  }
-  database.execute("DELETE FROM realization WHERE id < 0");
-  describe(old_solver_version, opened);
-  return opened;
-}
 
 /// SQLite reads over much of what a failing disk does to a file; it is asked to look.
 void refuse_damaged(const Database& database) {
@@ -119,22 +41,14 @@ void refuse_imported(const Database& database) {
       database.file().string(), row.text(0), row.text(1)));
 }
 
-void tell_changes(const std::vector<std::string>& changes, Opened& opened) {
-  constexpr std::size_t most = 12;
-  for (std::size_t k = 0; k < std::min(most, changes.size()); ++k)
-    opened.messages.push_back("the study has changed: " + changes[k]);
-  if (changes.size() > most)
-    opened.messages.push_back(fmt::format("the study has changed in {} more places", changes.size() - most));
-}
-
 /// A study whose name differs and that shares no run with the database is most likely a mistyped file name.
 void refuse_other_study(const Database& database, const parameters::Study& study, const Opened& opened) {
   Statement row = database.prepare("SELECT name FROM campaign");
-  if (!row.step() || row.text(0) == study.name || opened.kept > 0 || opened.discarded == 0) return;
+  if (!row.step() || row.text(0) == study.name || opened.kept > 0 || opened.set_aside == 0) return;
   throw Error(
       fmt::format("{}: holds {} finished realizations of the study '{}' and none of '{}'; name another "
                   "database, or move this one away",
-                  database.file().string(), opened.discarded, row.text(0), study.name));
+                  database.file().string(), opened.set_aside, row.text(0), study.name));
 }
 
 }  // namespace
@@ -201,13 +115,15 @@ Ledger Ledger::open_for_run(const parameters::Study& study,
   } catch (const Damaged&) {
     const std::filesystem::path aside = set_aside(file);
     Ledger ledger = open(study, realizations, options, lock);
-    const int largest_id = 2 * static_cast<int>(realizations.size()) + 1000;
-    const int saved = ledger.take(salvage_runs(aside, largest_id));
+    const int saved =
+        ledger.save(salvage(aside, 2 * static_cast<int>(realizations.size()) + 1000), !options.retry_failed);
     Opened& opened = ledger.state_->opened;
-    opened.kept = saved;
-    opened.pending -= saved;
-    opened.messages.push_back(fmt::format(
-        "the database was damaged and is kept as {}; realizations saved from it: {}", aside.string(), saved));
+    std::string message = fmt::format(
+        "the database was damaged and is kept as {}; realizations saved from it: {}", aside.string(), saved);
+    if (opened.unused > 0)
+      message += fmt::format(", and {} finished ones that the study does not ask for", opened.unused);
+    if (options.tell) options.tell(message);
+    opened.messages.push_back(std::move(message));
     return ledger;
   }
 }
@@ -231,12 +147,14 @@ Ledger Ledger::open(const parameters::Study& study, std::span<const parameters::
     upgrade_schema(database);
   mend_views(database);
   const std::vector<std::string> changes = study_changes(database, study);
-  Opened opened = match_realizations(database, study, realizations, options.retry_failed);
+  const Matching matching = match(database, study, realizations);
+  Opened opened = describe(matching, changes, created, options.retry_failed);
   refuse_other_study(database, study, opened);
+  if (options.tell)
+    for (const std::string& message : opened.messages) options.tell(message);
+  apply(database, matching, options.retry_failed);
   write_study(database, study, options.study_text);
   recompute_windows(database, study);
-  opened.created = created;
-  tell_changes(changes, opened);
   opened.pending =
       static_cast<int>(database.integer("SELECT count(*) FROM realization WHERE status = 'pending'"));
   transaction.commit();
@@ -279,37 +197,42 @@ std::string Ledger::settings_hash(int id) const {
 
 int Ledger::adopt(const std::filesystem::path& other) {
   if (!std::filesystem::exists(other)) return 0;
-  const Snapshot from = read_snapshot(other);
-  if (!from.imports.empty()) return 0;
-  std::vector<StoredRun> runs;
-  auto row = from.realizations.begin();
-  for (const CurveRow& curve : from.curves) {
-    // Both are in the order of their ids.
-    row = std::find_if(row, from.realizations.end(),
-                       [&](const RealizationRow& r) { return r.id == curve.realization; });
-    if (row == from.realizations.end()) break;
-    if (row->completed()) runs.push_back({*row, curve.profile});
-  }
-  return take(runs);
+  return take(completed_runs(other), false);
 }
 
-int Ledger::take(const std::vector<StoredRun>& completed) {
+int Ledger::take(const std::vector<StoredRun>& finished, bool failed_too) {
+  const Database& database = state_->database;
   std::map<std::string, int> pending;
   {
-    Statement rows =
-        state_->database.prepare("SELECT id, settings_hash FROM realization WHERE status = 'pending'");
+    Statement rows = database.prepare("SELECT id, settings_hash FROM realization WHERE status = 'pending'");
     while (rows.step()) pending[rows.text(1)] = static_cast<int>(rows.integer(0));
   }
+  Write write(*state_);
   int taken = 0;
-  for (const auto& [row, profile] : completed) {
-    const auto same = pending.find(row.settings_hash);
-    if (same == pending.end()) continue;
-    record(same->second, {solver::Status::completed, "", profile.value(), row.audit, row.steps,
-                          row.material_points, row.wall_s});
+  for (const StoredRun& run : finished) {
+    const auto same = pending.find(run.row.settings_hash);
+    if (same == pending.end() || (run.row.failed() && !failed_too)) continue;
+    replace_run(database, same->second, run);
     pending.erase(same);
     ++taken;
   }
+  if (taken > 0) recompute_windows(database, state_->study);
+  write.commit();
   return taken;
+}
+
+int Ledger::save(const Salvage& salvaged, bool failed_too) {
+  Group group(*this);
+  const int saved = take(salvaged.runs, failed_too);
+  const int aside = keep_salvaged(state_->database, salvaged);
+  group.commit();
+  Opened& opened = state_->opened;
+  opened.unused = aside;
+  opened.pending -= saved;
+  const Counts now = counts();
+  opened.kept = now.completed;
+  opened.failed = now.failed;
+  return saved;
 }
 
 void Ledger::mark_running(int id) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@
 #include "parameters/study.hpp"
 #include "results/error.hpp"
 #include "results/file_system.hpp"
+#include "results/opened.hpp"
 #include "solver/simulate.hpp"
 
 namespace cpt::results {
@@ -26,21 +28,8 @@ struct RunOptions {
   std::string study_text;                      ///< the study file as the user wrote it, kept for provenance
   bool retry_failed = false;                   ///< run failed realizations again
   std::optional<FileSystem> file_system = {};  ///< of the database; found out if not given
-};
-
-/// What opening the ledger found and did.
-struct Opened {
-  bool created = false;  ///< a new database
-  int kept = 0;          ///< completed with the same settings: not run again
-  int failed = 0;        ///< failed with the same settings: stay failed (retry_failed runs them again)
-  int interrupted =
-      0;              ///< were running, or lost with their rank, when the last campaign ended: pending again
-  int retried = 0;    ///< failed ones set back to pending because retry_failed asked for it
-  int damaged = 0;    ///< no longer match their checksum: pending again
-  int discarded = 0;  ///< finished ones dropped because their settings or the solver changed
-  int pending = 0;    ///< to run now
-  std::vector<std::string>
-      messages;  ///< the above in sentences, for the user; empty where there is nothing to say
+  /// Is told the sentences of Opened::messages before what they say is written.
+  std::function<void(std::string_view)> tell = {};
 };
 
 /// Realizations by state.
@@ -54,16 +43,17 @@ struct Counts {
 
 class FileLock;
 struct StoredRun;
+struct Salvage;
 
 /// The writer. Not thread-safe. Holds the lock file NAME.sqlite.lock while it lives; the operating system
 /// releases the lock if the process is killed.
 class Ledger {
  public:
   /// Opens or creates `study.database` for a run of these realizations, which become its rows. Finished runs
-  /// are matched by settings hash, so adding, removing or reordering rows of a study keeps what is still
-  /// valid. A damaged database is kept as NAME.damaged, and what is whole in it is taken over. Throws Locked
-  /// if another campaign holds it; Error if it is not a ledger, has another schema version, holds imported
-  /// results, or finished runs of a differently named study only.
+  /// are matched by settings hash (matching.hpp); finished ones that the study does not ask for stay in the
+  /// database, unused. A damaged database is kept as NAME.damaged, and what is whole in it is taken over.
+  /// Throws Locked if another campaign holds it; Error if it is not a ledger, has another schema version,
+  /// holds imported results, or finished runs of a differently named study only.
   [[nodiscard]] static Ledger open_for_run(const parameters::Study& study,
                                            std::span<const parameters::Realization> realizations,
                                            const RunOptions& options);
@@ -80,7 +70,8 @@ class Ledger {
   /// Of a realization's settings (provenance.hpp). Throws std::logic_error if there is no such realization.
   [[nodiscard]] std::string settings_hash(int id) const;
   /// Takes completed realizations of equal settings and solver from another campaign's database as this
-  /// one's; returns how many. Nothing if there is no such file, or if its results are imported.
+  /// one's, unused ones too; returns how many. Nothing if there is no such file, or if its results are
+  /// imported.
   int adopt(const std::filesystem::path& other);
   /// A pending realization was handed out.
   void mark_running(int id);
@@ -113,8 +104,10 @@ class Ledger {
   [[nodiscard]] static Ledger open(const parameters::Study& study,
                                    std::span<const parameters::Realization> realizations,
                                    const RunOptions& options, std::unique_ptr<FileLock>& lock);
-  /// Records these as what is pending with equal settings; returns how many.
-  int take(const std::vector<StoredRun>& completed);
+  /// Makes these what is pending with equal settings, failed ones if told to; returns how many.
+  int take(const std::vector<StoredRun>& finished, bool failed_too);
+  /// The same of what a damaged database holds; what is left goes to the unused runs.
+  int save(const Salvage& salvaged, bool failed_too);
   explicit Ledger(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

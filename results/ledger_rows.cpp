@@ -36,38 +36,6 @@ void append_bytes(std::string& bytes, const T& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// SHA-256 of what a realization ended with: settings, status, reason, audit and curve, by their exact bytes.
-std::string outcome_checksum(const Database& database, int id) {
-  std::string bytes;
-  const auto append = [&](const std::string& text) {
-    append_bytes(bytes, text.size());
-    bytes += text;
-  };
-  Statement row = database.prepare(
-      "SELECT settings_hash, solver_version, status, reason, steps, material_points, max_empty_cells, "
-      "wall_s, "
-      "mass_error, momentum_error, energy_error, kinetic_fraction, min_time_step_s, max_time_step_s "
-      "FROM realization WHERE id = ?");
-  row.bind(id);
-  if (row.step())
-    for (int column = 0; column < row.columns(); ++column) {
-      if (row.is_null(column))
-        append("NULL");
-      else if (column < 4)
-        append(row.text(column));
-      else if (column < 7)
-        append_bytes(bytes, row.integer(column));
-      else
-        append_bytes(bytes, row.number(column));
-    }
-  const solver::DepthProfile profile = read_profile(database, id);
-  for (const std::vector<double>* values : {&profile.depth, &profile.q_c, &profile.f_s}) {
-    append_bytes(bytes, values->size());
-    for (const double value : *values) append_bytes(bytes, value);
-  }
-  return sha256(bytes);
-}
-
 }  // namespace
 
 std::string_view kind_name(parameters::Window::Kind kind) {
@@ -82,15 +50,49 @@ std::string_view kind_name(parameters::Window::Kind kind) {
   return "fixed";
 }
 
-std::optional<bool> matches_checksum(const Database& database, int id) {
-  Statement stored = database.prepare("SELECT sha256 FROM checksum WHERE realization = ?");
+std::string outcome_checksum(const Database& database, std::int64_t id, const RunTables& tables) {
+  std::string bytes;
+  const auto append = [&](const std::string& text) {
+    append_bytes(bytes, text.size());
+    bytes += text;
+  };
+  Statement row = database.prepare(fmt::format(
+      "SELECT settings_hash, solver_version, status, reason, steps, material_points, max_empty_cells, "
+      "wall_s, "
+      "mass_error, momentum_error, energy_error, kinetic_fraction, min_time_step_s, max_time_step_s "
+      "FROM {} WHERE id = ?",
+      tables.run));
+  row.bind(id);
+  if (row.step())
+    for (int column = 0; column < row.columns(); ++column) {
+      if (row.is_null(column))
+        append("NULL");
+      else if (column < 4)
+        append(row.text(column));
+      else if (column < 7)
+        append_bytes(bytes, row.integer(column));
+      else
+        append_bytes(bytes, row.number(column));
+    }
+  const solver::DepthProfile profile = read_profile(database, id, tables);
+  for (const std::vector<double>* values : {&profile.depth, &profile.q_c, &profile.f_s}) {
+    append_bytes(bytes, values->size());
+    for (const double value : *values) append_bytes(bytes, value);
+  }
+  return sha256(bytes);
+}
+
+std::optional<bool> matches_checksum(const Database& database, std::int64_t id, const RunTables& tables) {
+  Statement stored =
+      database.prepare(fmt::format("SELECT sha256 FROM {} WHERE realization = ?", tables.checksum));
   stored.bind(id);
   if (!stored.step()) return std::nullopt;
-  Statement bins = database.prepare("SELECT bins FROM curve WHERE realization = ?");
+  Statement bins = database.prepare(fmt::format("SELECT bins FROM {} WHERE realization = ?", tables.curve));
   bins.bind(id);
   try {
-    const auto length = static_cast<std::int64_t>(read_profile(database, id).depth.size());
-    return stored.text(0) == outcome_checksum(database, id) && (bins.step() ? bins.integer(0) : 0) == length;
+    const auto length = static_cast<std::int64_t>(read_profile(database, id, tables).depth.size());
+    return stored.text(0) == outcome_checksum(database, id, tables) &&
+           (bins.step() ? bins.integer(0) : 0) == length;
   } catch (const Error&) {
     return false;  // a curve of broken length
   }
@@ -118,7 +120,8 @@ void insert_pending(const Database& database, int id, const RealizationInput& in
       .run();
 }
 
-void rename_realization(const Database& database, int old_id, int new_id, const RealizationInput& input) {
+void rename_realization(const Database& database, std::int64_t old_id, int new_id,
+                        const RealizationInput& input) {
   database
       .prepare(
           "UPDATE realization SET id = ?, parameter = ?, side = ?, value = ?, value_text = ? WHERE id = ?")
@@ -254,8 +257,9 @@ void write_outcome(const Database& database, int id, const solver::Outcome& outc
   database.prepare("INSERT INTO checksum VALUES (?, ?)").bind(id).bind(outcome_checksum(database, id)).run();
 }
 
-solver::DepthProfile read_profile(const Database& database, int id) {
-  Statement row = database.prepare("SELECT depth_m, q_c_Pa, f_s_Pa FROM curve WHERE realization = ?");
+solver::DepthProfile read_profile(const Database& database, std::int64_t id, const RunTables& tables) {
+  Statement row = database.prepare(
+      fmt::format("SELECT depth_m, q_c_Pa, f_s_Pa FROM {} WHERE realization = ?", tables.curve));
   row.bind(id);
   if (!row.step()) return {};
   solver::DepthProfile profile{row.doubles(0), row.doubles(1), row.doubles(2)};

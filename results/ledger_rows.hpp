@@ -2,6 +2,7 @@
 // alone.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "parameters/realization.hpp"
 #include "parameters/study.hpp"
 #include "results/database.hpp"
+#include "results/run_tables.hpp"
 #include "solver/simulate.hpp"
 
 namespace cpt::results {
@@ -16,9 +18,13 @@ namespace cpt::results {
 /// "fixed", "peak" or "trough", as stored.
 [[nodiscard]] std::string_view kind_name(parameters::Window::Kind kind);
 
-/// Whether what is stored of an ended realization is what was recorded; nullopt where it was stored without a
+/// SHA-256 of what a run ended with: settings, status, reason, audit and curve, by their exact bytes.
+[[nodiscard]] std::string outcome_checksum(const Database& database, std::int64_t id,
+                                           const RunTables& tables = in_use_tables);
+/// Whether what is stored of an ended run is what was recorded; nullopt where it was stored without a
 /// checksum, by an earlier program.
-[[nodiscard]] std::optional<bool> matches_checksum(const Database& database, int id);
+[[nodiscard]] std::optional<bool> matches_checksum(const Database& database, std::int64_t id,
+                                                   const RunTables& tables = in_use_tables);
 
 /// What identifies a realization in the ledger.
 struct RealizationInput {
@@ -33,7 +39,8 @@ struct RealizationInput {
 
 void insert_pending(const Database& database, int id, const RealizationInput& input);
 /// Moves the stored realization `old_id` to `new_id` with its curve and window means.
-void rename_realization(const Database& database, int old_id, int new_id, const RealizationInput& input);
+void rename_realization(const Database& database, std::int64_t old_id, int new_id,
+                        const RealizationInput& input);
 /// Back to pending: drops status, audit and curve.
 void clear_outcome(const Database& database, int id);
 /// Throws std::logic_error unless the realization is pending or running.
@@ -45,7 +52,8 @@ void write_study(const Database& database, const parameters::Study& study, const
 /// Status, reason, audit and curve of an ended realization.
 void write_outcome(const Database& database, int id, const solver::Outcome& outcome);
 
-[[nodiscard]] solver::DepthProfile read_profile(const Database& database, int id);
+[[nodiscard]] solver::DepthProfile read_profile(const Database& database, std::int64_t id,
+                                                const RunTables& tables = in_use_tables);
 /// Averages of one completed realization in all windows that are resolved.
 void write_window_means(const Database& database, int id, const solver::DepthProfile& profile);
 /// Resolves the windows on the baseline's curve and averages every completed realization's. A function of the

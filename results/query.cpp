@@ -15,13 +15,14 @@
 namespace cpt::results {
 namespace {
 
-constexpr std::array<NamedQuery, 6> questions = {{
+constexpr std::array<NamedQuery, 7> questions = {{
     {"realizations",
      "every realization: its parameter, value, status, cost and audit, and what is out of line"},
     {"windows", "every realization's q_c in every window, with the window's depths"},
     {"sensitivity", "sensitivity index of every parameter in every window, with its interval and the noise"},
     {"tornado", "range of q_c between each parameter's bounds, widest first"},
     {"failures", "realizations that failed, with the reason"},
+    {"unused", "finished results that the study no longer asks for; campaign prune removes them"},
     {"effects", "what the study's [design] says of its parameters, with 95 % intervals"},
 }};
 
@@ -40,6 +41,8 @@ constexpr std::array<std::string_view, questions.size() - 1> statements = {
     "SELECT * FROM tornado",
     "SELECT id, parameter, side, value_text AS value, status, reason, wall_s FROM realization "
     "WHERE status NOT IN ('pending', 'running', 'completed') ORDER BY id",
+    "SELECT id, parameter, side, value_text AS value, status, solver_version, wall_s, finished, study FROM "
+    "unused ORDER BY id",
 };
 
 // "2:15", in characters from 1.
@@ -74,23 +77,25 @@ std::string nearest_in(const Database& database, std::string_view complaint) {
   return meant("no such table: ", tables) + meant("no such column: ", columns);
 }
 
-Table rows_from(const std::filesystem::path& file, std::string_view sql) {
-  const Database database = open_ledger(file);
-  return rows_of(database.prepare(sql));
-}
-
 }  // namespace
 
 std::span<const NamedQuery> named_queries() { return questions; }
 
-Table query(const std::filesystem::path& database, std::string_view name) {
+Table query(const std::filesystem::path& file, std::string_view name) {
+  return query(open_ledger(file), name);
+}
+
+Table query(const Database& database, std::string_view name) {
   if (name == "effects") {
+    const Transaction transaction(database, Transaction::Kind::read);
     const Effects effects = design_effects(read_snapshot(database));
-    if (!effects.problem.empty()) throw Error(fmt::format("{}: {}", database.string(), effects.problem));
+    if (!effects.problem.empty())
+      throw Error(fmt::format("{}: {}", database.file().string(), effects.problem));
     return effects_table(effects);
   }
+  if (name == "unused" && !has_table(database, "unused")) return {};  // an earlier schema version
   for (std::size_t i = 0; i < statements.size(); ++i)
-    if (questions[i].name == name) return rows_from(database, statements[i]);
+    if (questions[i].name == name) return rows_of(database.prepare(statements[i]));
   std::vector<std::string_view> known;
   for (const NamedQuery& question : questions) known.push_back(question.name);
   const std::string_view near = solver::nearest_name(name, known);
@@ -99,7 +104,10 @@ Table query(const std::filesystem::path& database, std::string_view name) {
 }
 
 Table query_sql(const std::filesystem::path& file, std::string_view sql) {
-  const Database database = open_ledger(file);
+  return query_sql(open_ledger(file), sql);
+}
+
+Table query_sql(const Database& database, std::string_view sql) {
   if (sql.find_first_not_of(" \t\r\n;") == sql.npos) throw BadQuery("sql: the statement is empty");
   try {
     Statement statement = database.prepare(sql);
@@ -108,7 +116,7 @@ Table query_sql(const std::filesystem::path& file, std::string_view sql) {
       throw BadQuery("sql: only statements that read are run");
     return rows_of(std::move(statement));
   } catch (const BadStatement& refused) {
-    const std::string_view complaint = std::string_view(refused.what()).substr(file.string().size() + 2);
+    const std::string_view complaint = std::string_view(refused.what()).substr(database.file().string().size() + 2);
     const bool placed = refused.byte >= 0 && static_cast<std::size_t>(refused.byte) <= sql.size();
     throw BadQuery(fmt::format("sql{}: {}{}", placed ? ":" + place_in(sql, refused.byte) : "", complaint,
                                nearest_in(database, complaint)));

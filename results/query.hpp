@@ -10,6 +10,8 @@
 
 namespace cpt::results {
 
+class Database;
+
 /// What was asked of a database is no question that it can answer.
 struct BadQuery : Error {
   using Error::Error;
@@ -20,7 +22,7 @@ struct NamedQuery {
   std::string_view name;
   std::string_view meaning;
 };
-/// realizations, windows, sensitivity, tornado, failures, effects.
+/// realizations, windows, sensitivity, tornado, failures, unused, effects.
 [[nodiscard]] std::span<const NamedQuery> named_queries();
 
 /// Answers a named query; throws BadQuery for an unknown name, Error for an unusable database.
@@ -29,5 +31,9 @@ struct NamedQuery {
 /// Runs one read-only SQL statement. Throws BadQuery if it is wrong or would write: "sql:1:8: " with SQLite's
 /// message and, for a table or column, the nearest that there is.
 [[nodiscard]] Table query_sql(const std::filesystem::path& database, std::string_view sql);
+
+/// The same of a ledger that is open.
+[[nodiscard]] Table query(const Database& database, std::string_view name);
+[[nodiscard]] Table query_sql(const Database& database, std::string_view sql);
 
 }  // namespace cpt::results

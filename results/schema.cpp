@@ -14,6 +14,30 @@ namespace {
 
 constexpr std::int64_t application_id = 0x43505443;  // "CPTC"
 
+// Of `realization`, and of those that the study no longer asks for.
+constexpr const char* run_columns = R"sql(
+  parameter        TEXT,
+  side             TEXT NOT NULL CHECK (side IN ('baseline', 'lower', 'upper', 'point', 'repeat')),
+  value            REAL,
+  value_text       TEXT NOT NULL,
+  status           TEXT NOT NULL CHECK (status IN ('pending', 'running', 'completed', 'did_not_converge',
+                     'energy_drift', 'time_limit', 'invalid_parameters', 'crashed', 'rank_lost')),
+  reason           TEXT NOT NULL DEFAULT '',
+  wall_s           REAL,
+  steps            INTEGER,
+  material_points  INTEGER,
+  settings_hash    TEXT NOT NULL,
+  solver_version   TEXT NOT NULL,
+  started          TEXT,
+  finished         TEXT,
+  mass_error       REAL,
+  momentum_error   REAL,
+  energy_error     REAL,
+  kinetic_fraction REAL,
+  max_empty_cells  INTEGER,
+  min_time_step_s  REAL,
+  max_time_step_s  REAL)sql";
+
 constexpr const char* tables = R"sql(
 CREATE TABLE campaign (
   one              INTEGER PRIMARY KEY CHECK (one = 1),
@@ -51,28 +75,7 @@ CREATE TABLE parameter (
 );
 
 CREATE TABLE realization (
-  id               INTEGER PRIMARY KEY,
-  parameter        TEXT,
-  side             TEXT NOT NULL CHECK (side IN ('baseline', 'lower', 'upper', 'point', 'repeat')),
-  value            REAL,
-  value_text       TEXT NOT NULL,
-  status           TEXT NOT NULL CHECK (status IN ('pending', 'running', 'completed', 'did_not_converge',
-                     'energy_drift', 'time_limit', 'invalid_parameters', 'crashed', 'rank_lost')),
-  reason           TEXT NOT NULL DEFAULT '',
-  wall_s           REAL,
-  steps            INTEGER,
-  material_points  INTEGER,
-  settings_hash    TEXT NOT NULL,
-  solver_version   TEXT NOT NULL,
-  started          TEXT,
-  finished         TEXT,
-  mass_error       REAL,
-  momentum_error   REAL,
-  energy_error     REAL,
-  kinetic_fraction REAL,
-  max_empty_cells  INTEGER,
-  min_time_step_s  REAL,
-  max_time_step_s  REAL
+  id               INTEGER PRIMARY KEY,{run_columns}
 );
 CREATE INDEX realization_of_bound ON realization (parameter, side);
 
@@ -121,6 +124,32 @@ CREATE TABLE repeat_noise (
   si_half_width    REAL NOT NULL
 );
 
+CREATE TABLE former_study (
+  id               INTEGER PRIMARY KEY,
+  name             TEXT NOT NULL,
+  study_text       TEXT NOT NULL,
+  baseline_setup   TEXT NOT NULL,
+  program_version  TEXT NOT NULL
+);
+
+CREATE TABLE unused (
+  id               INTEGER PRIMARY KEY,{run_columns},
+  study            INTEGER NOT NULL REFERENCES former_study (id)
+);
+
+CREATE TABLE unused_curve (
+  realization      INTEGER PRIMARY KEY REFERENCES unused (id) ON UPDATE CASCADE ON DELETE CASCADE,
+  bins             INTEGER NOT NULL,
+  depth_m          BLOB NOT NULL,
+  q_c_Pa           BLOB NOT NULL,
+  f_s_Pa           BLOB NOT NULL
+);
+
+CREATE TABLE unused_checksum (
+  realization      INTEGER PRIMARY KEY REFERENCES unused (id) ON UPDATE CASCADE ON DELETE CASCADE,
+  sha256           TEXT NOT NULL
+);
+
 CREATE TABLE import (
   position         INTEGER PRIMARY KEY,
   file             TEXT NOT NULL,
@@ -131,18 +160,19 @@ CREATE TABLE import (
 )sql";
 
 // A table after those that refer to it.
-constexpr std::array<const char*, 10> table_names = {"checksum",     "repeat_noise", "window_mean", "curve",
-                                                     "depth_window", "realization",  "parameter",   "layer",
-                                                     "campaign",     "import"};
-
-bool has(const Database& database, const std::string& table) {
-  return database.prepare("SELECT 1 FROM sqlite_schema WHERE type = 'table' AND name = ?").bind(table).step();
-}
+constexpr std::array<const char*, 14> table_names = {
+    "unused_checksum", "unused_curve", "unused",   "former_study", "checksum",
+    "repeat_noise",    "window_mean",  "curve",    "depth_window", "realization",
+    "parameter",       "layer",        "campaign", "import"};
 
 }  // namespace
 
+bool has_table(const Database& database, std::string_view table) {
+  return database.prepare("SELECT 1 FROM sqlite_schema WHERE type = 'table' AND name = ?").bind(table).step();
+}
+
 void create_schema(const Database& database) {
-  database.execute(tables);
+  database.execute(fmt::format(tables, fmt::arg("run_columns", run_columns)));
   for (const View& view : views()) database.execute(view.definition);
   database.execute(
       fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, schema_version));
@@ -155,7 +185,7 @@ void upgrade_schema(const Database& database) {
   database.execute("DROP INDEX IF EXISTS realization_of_bound");
   std::vector<std::string> old;
   for (const char* table : table_names) {
-    if (!has(database, table)) continue;
+    if (!has_table(database, table)) continue;
     database.execute(fmt::format("ALTER TABLE {0} RENAME TO old_{0}", table));
     old.emplace_back(table);
   }
@@ -182,7 +212,7 @@ Database open_ledger(const std::filesystem::path& file) {
   Database database(file, Database::Mode::read_only);
   check_schema(database);
   database.execute("PRAGMA temp_store = MEMORY");
-  if (!has(database, "repeat_noise"))
+  if (!has_table(database, "repeat_noise"))
     database.execute(
         "CREATE TEMP TABLE repeat_noise (window TEXT PRIMARY KEY, runs INTEGER, q_c_mean_kPa REAL, "
         "q_c_deviation_kPa REAL, si_half_width REAL)");

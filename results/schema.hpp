@@ -1,12 +1,14 @@
 // The ledger's tables and views, as SQL; docs/schema.md explains every column.
 #pragma once
 
+#include <string_view>
+
 #include "results/database.hpp"
 
 namespace cpt::results {
 
 /// Raised whenever a table or view changes in a way that a reader would notice.
-inline constexpr int schema_version = 4;
+inline constexpr int schema_version = 5;
 /// The oldest that is still read; a campaign that goes on brings it to the present version.
 inline constexpr int oldest_schema_version = 1;
 
@@ -23,6 +25,8 @@ void mend_views(const Database& database);
 /// A ledger for reading alone, checked. Its views are this program's, whatever stands in the file, which may
 /// have been finished by an earlier program.
 [[nodiscard]] Database open_ledger(const std::filesystem::path& file);
+/// Whether the database has such a table; earlier schema versions lack some.
+[[nodiscard]] bool has_table(const Database& database, std::string_view table);
 
 /// True if the database holds nothing at all.
 [[nodiscard]] bool is_empty(const Database& database);

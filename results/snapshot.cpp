@@ -13,11 +13,6 @@
 namespace cpt::results {
 namespace {
 
-constexpr std::string_view realization_columns =
-    "id, parameter, side, value, value_text, status, reason, wall_s, steps, material_points, settings_hash, "
-    "solver_version, started, finished, mass_error, momentum_error, energy_error, kinetic_fraction, "
-    "max_empty_cells, min_time_step_s, max_time_step_s";
-
 RealizationRow realization_row(const Database& database, const Statement& row) {
   RealizationRow r;
   if (row.integer(0) < 1 || row.integer(0) > std::numeric_limits<int>::max())
@@ -66,8 +61,7 @@ void read_description(const Database& database, Snapshot& s) {
 }
 
 void read_numbers(const Database& database, Snapshot& s) {
-  Statement rows =
-      database.prepare(fmt::format("SELECT {} FROM realization ORDER BY id", realization_columns));
+  Statement rows = database.prepare(fmt::format("SELECT id, {} FROM realization ORDER BY id", run_columns));
   while (rows.step()) s.realizations.push_back(realization_row(database, rows));
   Statement means = database.prepare(
       "SELECT realization, m.window, m.from_m, m.to_m, q_c_mean_kPa, q_c_min_kPa, q_c_max_kPa FROM "
@@ -152,12 +146,16 @@ std::optional<StoredRun> read_run(const std::filesystem::path& file, int id) {
 }
 
 std::optional<StoredRun> read_run(const Database& database, int id) {
+  return read_run(database, id, in_use_tables);
+}
+
+std::optional<StoredRun> read_run(const Database& database, int id, const RunTables& tables) {
   Statement row =
-      database.prepare(fmt::format("SELECT {} FROM realization WHERE id = ?", realization_columns));
+      database.prepare(fmt::format("SELECT id, {} FROM {} WHERE id = ?", run_columns, tables.run));
   row.bind(id);
   if (!row.step()) return std::nullopt;
   StoredRun run{realization_row(database, row), std::nullopt};
-  solver::DepthProfile profile = read_profile(database, id);
+  solver::DepthProfile profile = read_profile(database, id, tables);
   if (!profile.depth.empty()) run.profile = std::move(profile);
   return run;
 }

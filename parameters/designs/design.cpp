@@ -32,7 +32,8 @@ MatrixXd places_of(const Design& design) {
     case Kind::morris:
       return morris_places(parameters, design.trajectories, design.levels, design.seed);
     case Kind::latin_hypercube:
-      return latin_hypercube_places(parameters, design.runs, design.seed);
+      if (design.first_runs == 0) return latin_hypercube_places(parameters, design.runs, design.seed);
+      return grown_latin_hypercube_places(parameters, design.first_runs, design.runs, design.seed);
     case Kind::sobol:
       return sobol_places(parameters, design.runs, design.seed);
   }

@@ -11,4 +11,11 @@ namespace cpt::parameters {
 /// it and in random order. The same seed gives the same.
 [[nodiscard]] Eigen::MatrixXd latin_hypercube_places(int parameters, int runs, std::uint64_t seed);
 
+/// The sample of `first_runs`, grown to `runs` one by one: each column is cut into as many equal intervals as
+/// there are runs with the new one; this one goes to intervals that are empty, at random within them, and of
+/// some such places to the one that leaves the sample with the least discrepancy. What is added first does
+/// not depend on `runs`: a sample grown in two steps is that grown in one.
+[[nodiscard]] Eigen::MatrixXd grown_latin_hypercube_places(int parameters, int first_runs, int runs,
+                                                           std::uint64_t seed);
+
 }  // namespace cpt::parameters

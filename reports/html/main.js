@@ -27,6 +27,7 @@ function head() {
   byId("title").textContent = data.campaign.title;
   byId("state").textContent = `${data.state}${data.newest_result ? `; newest result ${data.newest_result}` : ""}.`;
   byId("state").classList.toggle("warn", !complete);
+  byId("state").after(...data.notes.map((note) => el("p", { class: "warn note" }, `${note}.`)));
   for (const section of document.querySelectorAll("main > section:not([hidden])"))
     byId("contents").append(el("a", { href: `#${section.id}` }, ...[...section.querySelector("h2").cloneNode(true).childNodes]));
   const themes = [["as the system", "light dark"], ["light", "light"], ["dark", "dark"]];

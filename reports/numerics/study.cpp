@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/designs/variation.hpp"
@@ -48,7 +49,11 @@ const results::WindowMeanRow* mean_row(const results::Snapshot& campaign, int re
 }  // namespace
 
 NumericsStudy read_numerics(const std::filesystem::path& database) {
-  NumericsStudy found{results::read_snapshot(database), {}, {}};
+  return read_numerics(results::read_snapshot(database), database);
+}
+
+NumericsStudy read_numerics(results::Snapshot campaign, const std::filesystem::path& database) {
+  NumericsStudy found{std::move(campaign), {}, {}};
   const parameters::Study study = study_of(found.campaign, database);
   const auto realizations = parameters::one_at_a_time(study);
   const int baseline = realizations.front().id;

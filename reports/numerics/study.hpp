@@ -38,6 +38,8 @@ inline constexpr std::string_view refinement = "numerics.refinement";
 /// Settings are the quantities of the group `numerics` and the speed of the push. Realizations that change
 /// several, or others, are not looked at. Throws results::Error if the database cannot be read.
 [[nodiscard]] NumericsStudy read_numerics(const std::filesystem::path& database);
+/// The same of what was read from there.
+[[nodiscard]] NumericsStudy read_numerics(results::Snapshot campaign, const std::filesystem::path& database);
 
 /// nullptr if there is none.
 [[nodiscard]] const results::RealizationRow* run_row(const results::Snapshot& campaign, int realization);

@@ -128,6 +128,9 @@ TEST(Completion, OffersCommandsOptionsAndValues) {
   const std::pair<Words, Words> cases[] = {
       {{"campaign", "li"}, {"list"}},
       {{"campaign", "sm"}, {"small.toml"}},
+      {{"campaign", "pru"}, {"prune"}},
+      {{"campaign", "prune", "small.toml", "--ot"}, {"--other-solvers"}},
+      {{"campaign", "query", "small.sqlite", "unu"}, {"unused"}},
       {{"campaign", "list", "pr"}, {"profiles", "presets"}},
       {{"campaign", "query", "small.sqlite", "sens"}, {"sensitivity"}},
       {{"campaign", "query", "--format", "csv", "small.sqlite", "tor"}, {"tornado"}},

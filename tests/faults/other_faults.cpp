@@ -68,8 +68,12 @@ Finding edited_study(int trials, unsigned) {
     const std::string log = trial.folder().read("log");
     expect(finding, std::count(log.begin(), log.end(), '\n') == 1,
            "other than the one changed was run: " + log);
+    // Edited back: the run that was dropped meanwhile is used again.
     trial.folder().write("faults.toml", study);
+    trial.folder().write("log", "");
     trial.finish(finding);
+    const std::string again = trial.folder().read("log");
+    expect(finding, again.empty(), "what had finished before the edit was run again: " + again);
   }
   return finding;
 }

@@ -158,8 +158,8 @@ TEST_F(ImportTables, NoCampaignGoesOnWithImportedResults) {
     expect_has(error.what(), "imported from sand-export/realization.csv");
   }
   EXPECT_EQ(all_of(target), before);
-  EXPECT_TRUE(salvage_runs(target, 100).empty());
-  EXPECT_FALSE(salvage_runs(study.database, 100).empty());
+  EXPECT_TRUE(salvage(target, 100).runs.empty());
+  EXPECT_FALSE(salvage(study.database, 100).runs.empty());
   own.database = folder / "new.sqlite";
   EXPECT_EQ(open(own).adopt(target), 0);
   EXPECT_GT(open(own).adopt(study.database), 0);
@@ -261,7 +261,7 @@ TEST(JsonDocument, WhatIsWrongIsTold) {
   const std::string head = "{\"format\": \"campaign export\", \"version\": 4, ";
   EXPECT_NE(refused("{\"a\": 1,\n  b}").find("a.json:2:3: error: is not JSON"), std::string::npos);
   EXPECT_NE(refused("[]").find("format"), std::string::npos);
-  EXPECT_NE(refused("{\"format\": \"campaign export\", \"version\": 5}").find("from 1 to 4"),
+  EXPECT_NE(refused("{\"format\": \"campaign export\", \"version\": 6}").find("from 1 to 5"),
             std::string::npos);
   EXPECT_NE(refused(head + "\"layer\": 3}").find("layer: must be an array"), std::string::npos);
   EXPECT_NE(refused(head + "\"layer\": [{\"a\": 1}, {\"b\": 1}]}").find("row 2: lacks \"a\""),

@@ -11,6 +11,8 @@
 #include "results/curve_store.hpp"
 #include "results/effects.hpp"
 #include "results/ledger.hpp"
+#include "results/ledger_view.hpp"
+#include "results/pruning.hpp"
 #include "results/query.hpp"
 #include "results/salvage.hpp"
 #include "results/snapshot.hpp"
@@ -83,6 +85,11 @@ const std::string& sound_ledger() {
       for (std::size_t k = 0; k + 1 < ids.size(); ++k)
         ledger.record(ids[k], completed(1e6 * static_cast<double>(ids[k])));
     }
+    // One result that an edit left unused.
+    parameters::Study edited = study_at(file);
+    edited.baseline.contact.friction_ratio = 0.625;
+    { open(edited).record(1, completed(3e6)); }
+    { (void)open(study_at(file)); }
     return bytes_of(file);
   }();
   return bytes;
@@ -108,8 +115,19 @@ Fate use_ledger(const fs::path& database) {
     attempt([&] { (void)format(results::query(database, named.name), results::Format::json); });
   attempt([&] { (void)format(results::query_sql(database, "SELECT * FROM curve"), results::Format::csv); });
   attempt([&] { (void)results::read_run(database, 1); });
-  for (const results::StoredRun& run : results::salvage_runs(database, 10))
-    promise(run.row.completed() && run.profile.has_value(), "what is salvaged is whole");
+  for (const results::StoredRun& run : results::salvage(database, 10).runs)
+    promise(!run.row.waiting() && (run.profile.has_value() || !run.row.completed()),
+            "what is salvaged is whole");
+  attempt([&] {
+    parameters::Study edited = study_at(database);
+    edited.baseline.contact.friction_ratio = 0.625;
+    (void)results::read_snapshot(results::view_ledger(edited, "another text"));
+  });
+  attempt([&] {
+    const results::Database ledger(database, results::Database::Mode::read_only);
+    for (const results::UnusedRun& run : results::unused_runs(ledger))
+      (void)results::former_settings(ledger, run.study);
+  });
   (void)diagnosis::read_answers(database.parent_path(), "quick");
   attempt([&] {
     const parameters::Study study = study_at(database);

@@ -127,6 +127,19 @@ TEST(Design, DefaultsAreThoseOfTheDocumentation) {
   EXPECT_EQ(with("kind = \"pairs\"").design.rows.size(), 3U);
 }
 
+TEST(Design, GrownSampleKeepsItsPointsAndTheirNames) {
+  const Study small = with("kind = \"latin_hypercube\"\nruns = 12"),
+              grown = with("kind = \"latin_hypercube\"\nruns = 15\nfirst_runs = 12");
+  ASSERT_EQ(small.points.size(), 12U);
+  ASSERT_EQ(grown.points.size(), 15U);
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(grown.points[i].name, small.points[i].name);
+    for (std::size_t k = 0; k < small.points[i].changes.size(); ++k)
+      EXPECT_EQ(grown.points[i].changes[k].value, small.points[i].changes[k].value);
+  }
+  EXPECT_EQ(grown.points[14].name, "latin hypercube 15");
+}
+
 TEST(Design, ErrorsTellWhatIsWrong) {
   struct Case {
     std::string design, key, message;
@@ -135,6 +148,9 @@ TEST(Design, ErrorsTellWhatIsWrong) {
        {Case{"runs = 5", "design.kind", "missing"},
         Case{"kind = \"moris\"", "design.kind", "did you mean \"morris\""},
         Case{"kind = \"morris\"\nruns = 5", "design.runs", "belongs to latin_hypercube, sobol"},
+        Case{"kind = \"sobol\"\nfirst_runs = 5", "design.first_runs", "belongs to latin_hypercube"},
+        Case{"kind = \"latin_hypercube\"\nruns = 24\nfirst_runs = 30", "design.first_runs",
+             "30 must be at most runs = 24"},
         Case{"kind = \"morris\"\ntrajectory = 5", "design.trajectory", "did you mean trajectories"},
         Case{"kind = \"morris\"\nlevels = 5", "design.levels", "even number from 2 to 20"},
         Case{"kind = \"morris\"\ntrajectories = 1", "design.trajectories", "whole number from 2 to 1000"},
