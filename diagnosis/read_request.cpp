@@ -29,7 +29,7 @@ class RequestReader {
         errors_(errors) {
     request_.file = std::filesystem::absolute(file).lexically_normal();
     request_.name = request_.file.stem().string();
-    request_.study = study.file;
+    request_.study = study_.file;
     request_.database = beside(request_.name + ".sqlite");
     request_.report_dir = beside(request_.name + "-report");
   }

@@ -134,23 +134,20 @@ std::vector<StoredRun> completed_runs(const std::filesystem::path& other) {
   check_schema(database);
   const Transaction transaction(database, Transaction::Kind::read);
   std::vector<StoredRun> runs;
-  const Snapshot from = read_snapshot(database);
-  if (!from.imports.empty()) return runs;
-  auto row = from.realizations.begin();
-  for (const CurveRow& curve : from.curves) {
-    // Both are in the order of their ids.
-    row = std::find_if(row, from.realizations.end(),
-                       [&](const RealizationRow& r) { return r.id == curve.realization; });
-    if (row == from.realizations.end()) break;
-    if (row->completed()) runs.push_back({*row, curve.profile});
-  }
-  if (!has_table(database, unused_tables.run)) return runs;
-  Statement ids = database.prepare("SELECT id FROM unused WHERE status = 'completed' ORDER BY id");
-  while (ids.step()) {
-    const auto id = static_cast<int>(ids.integer(0));
-    if (matches_checksum(database, id, unused_tables) == std::optional(false)) continue;
-    std::optional<StoredRun> run = read_run(database, id, unused_tables);
-    if (run && run->profile) runs.push_back(*std::move(run));
+  // Tables alone: the views of an earlier program may lack what this one reads of them.
+  if (has_table(database, "import") && database.integer("SELECT count(*) FROM import") > 0) return runs;
+  for (const RunTables& tables : {in_use_tables, unused_tables}) {
+    if (!has_table(database, tables.run)) continue;
+    Statement ids =
+        database.prepare(fmt::format("SELECT id FROM {} WHERE status = 'completed' ORDER BY id", tables.run));
+    while (ids.step()) {
+      const auto id = static_cast<int>(ids.integer(0));
+      if (has_table(database, tables.checksum) &&
+          matches_checksum(database, id, tables) == std::optional(false))
+        continue;
+      std::optional<StoredRun> run = read_run(database, id, tables);
+      if (run && run->profile) runs.push_back(*std::move(run));
+    }
   }
   return runs;
 }
