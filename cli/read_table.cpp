@@ -39,12 +39,10 @@ std::string name_of(const std::filesystem::path& file, bool with_folder) {
 }
 
 parameters::FieldTable parsed(const std::string& bytes, const std::filesystem::path& file) {
-  const recordings::Decoded content = recordings::decoded(parameters::without_padding(bytes));
-  if (const std::size_t zero = content.text.find('\0'); zero != std::string::npos)
-    throw BadInput(fmt::format(
-        "{}:{}: error: holds a zero byte: is it UTF-16 (save it as UTF-8) or no text at all?", file.string(),
-        1 + std::count(content.text.begin(), content.text.begin() + static_cast<std::ptrdiff_t>(zero),
-                       '\n')));
+  const recordings::Decoded content = recordings::decoded(bytes);
+  if (const auto& problem = content.problem)
+    throw BadInput(recordings::format({{file.string(), problem->line, problem->column, problem->found,
+                                        problem->expected, problem->hint}}));
   recordings::Problems problems(file.string());
   recordings::DelimitedTable read = recordings::read_delimited(content.text, problems);
   if (problems.any()) throw BadInput(recordings::format(problems.errors()));
