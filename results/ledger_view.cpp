@@ -40,9 +40,7 @@ std::string listed(const std::vector<std::string>& changes) {
 
 }  // namespace
 
-LedgerView view_ledger(const std::filesystem::path& file) {
-  return {open_ledger(file)};
-}
+LedgerView view_ledger(const std::filesystem::path& file) { return {open_ledger(file)}; }
 
 LedgerView view_ledger(const parameters::Study& study, const std::string& study_text) {
   LedgerView stored = view_ledger(study.database);

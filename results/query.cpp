@@ -116,7 +116,8 @@ Table query_sql(const Database& database, std::string_view sql) {
       throw BadQuery("sql: only statements that read are run");
     return rows_of(std::move(statement));
   } catch (const BadStatement& refused) {
-    const std::string_view complaint = std::string_view(refused.what()).substr(database.file().string().size() + 2);
+    const std::string_view complaint =
+        std::string_view(refused.what()).substr(database.file().string().size() + 2);
     const bool placed = refused.byte >= 0 && static_cast<std::size_t>(refused.byte) <= sql.size();
     throw BadQuery(fmt::format("sql{}: {}{}", placed ? ":" + place_in(sql, refused.byte) : "", complaint,
                                nearest_in(database, complaint)));
