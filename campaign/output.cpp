@@ -86,4 +86,6 @@ int descriptor_of(std::FILE* stream) {
   return ::fileno(stream);
 }
 
+bool is_terminal(std::FILE* stream) { return ::isatty(descriptor_of(stream)) != 0; }
+
 }  // namespace cpt::campaign

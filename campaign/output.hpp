@@ -21,5 +21,7 @@ void open_output();
 
 /// The file descriptor behind stdout, stderr or another stream.
 [[nodiscard]] int descriptor_of(std::FILE* stream);
+/// Whether a person sits at it.
+[[nodiscard]] bool is_terminal(std::FILE* stream);
 
 }  // namespace cpt::campaign

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <cmath>
 
@@ -42,7 +41,7 @@ std::string progress_line(const Standing& standing) {
 }
 
 ProgressDisplay::Style ProgressDisplay::style_of(std::FILE* out) {
-  return ::isatty(descriptor_of(out)) != 0 ? Style::terminal : Style::plain;
+  return is_terminal(out) ? Style::terminal : Style::plain;
 }
 
 void ProgressDisplay::note(std::string_view line) {

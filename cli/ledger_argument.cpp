@@ -9,7 +9,7 @@
 namespace cpt::cli {
 
 results::LedgerView open_ledger(const std::filesystem::path& source, bool quiet) {
-  if (source.extension() != ".toml") return results::view_ledger(source);
+  if (!names_study(source)) return results::view_ledger(source);
   const StudyFile file = read_study_file(source);
   results::LedgerView view = results::view_ledger(file.study, file.text);
   if (!quiet)

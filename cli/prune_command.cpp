@@ -1,14 +1,15 @@
 // campaign prune STUDY|DB
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <set>
 
+#include "campaign/output.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/study_argument.hpp"
@@ -35,7 +36,7 @@ std::string results_of(std::size_t count) {
 // yet.
 std::set<std::string> asked_for(const std::filesystem::path& source) {
   std::set<std::string> hashes;
-  if (source.extension() != ".toml") return hashes;
+  if (!names_study(source)) return hashes;
   const parameters::Study study = read_study_file(source).study;
   for (const parameters::Realization& realization : parameters::one_at_a_time(study))
     hashes.insert(results::settings_hash(parameters::make_setup(study, realization)));
@@ -96,7 +97,7 @@ void remove(results::Pruning& pruning, const std::vector<results::UnusedRun>& ru
 
 int prune(const Arguments& arguments) {
   const std::filesystem::path file = database_of(arguments.source);
-  const bool asks = !arguments.yes && ::isatty(STDIN_FILENO) != 0 && ::isatty(STDOUT_FILENO) != 0;
+  const bool asks = !arguments.yes && campaign::is_terminal(stdin) && campaign::is_terminal(stdout);
   // From the naming to the removal nobody else writes.
   std::optional<results::Pruning> pruning;
   std::optional<results::Database> look;

@@ -31,7 +31,7 @@ struct Arguments {
 // NAME-report beside the database NAME.sqlite, or what the study says.
 std::filesystem::path report_directory(const Arguments& arguments) {
   if (!arguments.directory.empty()) return arguments.directory;
-  if (arguments.source.extension() == ".toml") return read_study_file(arguments.source).study.report_dir;
+  if (names_study(arguments.source)) return read_study_file(arguments.source).study.report_dir;
   return arguments.source.parent_path() / (arguments.source.stem().string() + "-report");
 }
 

@@ -43,10 +43,13 @@ parameters::Realization find_realization(const parameters::Study& study, int id)
       fmt::format("{} has no realization {}; it has 1 to {}", study.name, id, realizations.size()));
 }
 
+bool names_study(const std::filesystem::path& study_or_database) {
+  return study_or_database.extension() == ".toml" && !starts_as_database(study_or_database);
+}
+
 std::filesystem::path database_of(const std::filesystem::path& study_or_database) {
-  if (study_or_database.extension() == ".toml" && !starts_as_database(study_or_database))
-    return read_study_file(study_or_database).study.database;
-  return study_or_database;
+  return names_study(study_or_database) ? read_study_file(study_or_database).study.database
+                                        : study_or_database;
 }
 
 }  // namespace cpt::cli

@@ -27,6 +27,9 @@ struct StudyFile {
 /// Realization of the study by its id; throws BadInput if there is none.
 [[nodiscard]] parameters::Realization find_realization(const parameters::Study& study, int id);
 
+/// Whether a STUDY|DB argument is a study: called .toml, and no database in spite of it.
+[[nodiscard]] bool names_study(const std::filesystem::path& study_or_database);
+
 /// A campaign's database, found from the study (NAME.toml) or given itself.
 [[nodiscard]] std::filesystem::path database_of(const std::filesystem::path& study_or_database);
 

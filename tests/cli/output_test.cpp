@@ -88,6 +88,7 @@ class Output : public testing::Test {
             {"query", study, "realizations"},
             {"query", study, "sql", "select id from realization", "--format", "csv"},
             {"compare", study, study},
+            {"prune", study},
             {"export", study, "--to", folder->file("tables")},
             {"import", folder->file("small.json"), "--to", folder->file("copy.sqlite")},
             {"report", study, "--directory", folder->file("page")},
