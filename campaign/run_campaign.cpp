@@ -429,7 +429,7 @@ class Master {
   std::map<int, int> interruptions_;  // by realization
   bool stopping_ = false;
   bool ranks_lost_ = false;
-  std::string curves_problem_;  // why the curve file could not be written when last it was tried
+  std::string curves_problem_;               // why the curve file could not be written when last it was tried
   double next_lock_note_ = lock_note_after;  // [s] of waiting for a locked database
   results::Patience patience_{
       [this](const auto& database, double seconds) { return waits_for_database(database, seconds); }};

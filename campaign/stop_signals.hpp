@@ -7,8 +7,8 @@ namespace cpt::campaign {
 
 inline constexpr int stop_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGUSR1};
 
-/// Catches these signals for as long as it lives; a second one within a stop changes nothing. At most one at a
-/// time.
+/// Catches these signals for as long as it lives; a second one within a stop changes nothing. At most one at
+/// a time.
 class StopSignals {
  public:
   StopSignals();

@@ -50,7 +50,8 @@ int query(const Arguments& arguments) {
   // They have no rows: what is missing must not be missed.
   if (arguments.what == "windows")
     for (const auto& row :
-         results::query_sql(ledger.database, "SELECT name, problem FROM depth_window WHERE problem <> ''").rows)
+         results::query_sql(ledger.database, "SELECT name, problem FROM depth_window WHERE problem <> ''")
+             .rows)
       fmt::print(stderr, "note: window {} is undefined: {}\n", std::get<std::string>(row[0]),
                  std::get<std::string>(row[1]));
   return all_well;

@@ -41,8 +41,8 @@ std::string name_of(const std::filesystem::path& file, bool with_folder) {
 parameters::FieldTable parsed(const std::string& bytes, const std::filesystem::path& file) {
   const recordings::Decoded content = recordings::decoded(bytes);
   if (const auto& problem = content.problem)
-    throw BadInput(recordings::format({{file.string(), problem->line, problem->column, problem->found,
-                                        problem->expected, problem->hint}}));
+    throw BadInput(recordings::format(
+        {{file.string(), problem->line, problem->column, problem->found, problem->expected, problem->hint}}));
   recordings::Problems problems(file.string());
   recordings::DelimitedTable read = recordings::read_delimited(content.text, problems);
   if (problems.any()) throw BadInput(recordings::format(problems.errors()));

@@ -9,9 +9,9 @@
 
 namespace cpt::reports {
 
-/// A4 pages: what the campaign is, with `notes` on it; the inputs and their indices by window; what the design says; each figure
-/// 190 mm wide, a journal's double column, with its caption; failures with their reasons. No type is smaller
-/// than 7.5 pt, subscripts aside.
+/// A4 pages: what the campaign is, with `notes` on it; the inputs and their indices by window; what the
+/// design says; each figure 190 mm wide, a journal's double column, with its caption; failures with their
+/// reasons. No type is smaller than 7.5 pt, subscripts aside.
 [[nodiscard]] std::vector<PdfPage> supplement(const results::Snapshot& campaign,
                                               const std::vector<NamedFigure>& figures,
                                               const results::Effects& effects = {},

@@ -64,8 +64,7 @@ void sync_folder(const fs::path& folder) {
 fs::path temporary_of(const fs::path& file) {
   constexpr std::size_t longest_name = 255;  // [bytes]
   constexpr std::string_view ending = ".tmp";
-  return file.parent_path() /
-         file.filename().string().substr(0, longest_name - ending.size()).append(ending);
+  return file.parent_path() / file.filename().string().substr(0, longest_name - ending.size()).append(ending);
 }
 
 bool still_named(int descriptor, const fs::path& file) {

@@ -85,7 +85,8 @@ const std::vector<LedgerTable>& ledger_tables() {
 }
 
 std::span<const std::string_view> derived_tables() {
-  static constexpr std::array<std::string_view, 5> names = {"samples", "audit", "sensitivity", "tornado", "effects"};
+  static constexpr std::array<std::string_view, 5> names = {"samples", "audit", "sensitivity", "tornado",
+                                                            "effects"};
   return names;
 }
 

@@ -170,7 +170,8 @@ class Signalled : public testing::TestWithParam<int> {};
 
 TEST_P(Signalled, StopsCleanlyAndGoesOn) {
   const StudyFolder folder;
-  Background job(campaign(arguments(folder.study(), {"--slots", "1"})), gated(folder, {"sand.D_r_percent=46"}));
+  Background job(campaign(arguments(folder.study(), {"--slots", "1"})),
+                 gated(folder, {"sand.D_r_percent=46"}));
   ASSERT_TRUE(held_up(folder, 3, 4));
   const std::vector<pid_t> running = children_of(job.pid());
   ::kill(job.pid(), GetParam());
@@ -267,7 +268,8 @@ TEST(Campaign, WorkerToldToStopLeavesItsWorkToTheOthers) {
 
 TEST(Campaign, RealizationToldToEndFromOutsideRunsAgainAtMostThrice) {
   const StudyFolder folder;
-  Background job(campaign(arguments(folder.study(), {"--slots", "1"})), gated(folder, {"sand.D_r_percent=46"}));
+  Background job(campaign(arguments(folder.study(), {"--slots", "1"})),
+                 gated(folder, {"sand.D_r_percent=46"}));
   for (std::size_t times = 1; times <= 3; ++times) {
     ASSERT_TRUE(held_up(folder, 3, 3 + times));
     ASSERT_TRUE(eventually([&] { return !children_of(job.pid()).empty(); }));
