@@ -80,13 +80,13 @@ TEST_F(Query, AWrongStatementIsTheUsersAndToldWithItsPlace) {
 // Its reason stands where its indices would.
 TEST_F(Query, AWindowWithoutAnExtremeIsUndefinedWithItsReason) {
   parameters::Study rising = study;
-  rising.windows[1] = {"peak", parameters::Window::Kind::peak, 0.25, 0.35, 0.010};  // q_c rises through it
+  rising.windows[1] = {"peak", parameters::Window::Kind::peak, 0.16, 0.18, 0.010};  // q_c falls all through it
   Ledger ledger = open(rising);
   const Table table =
       query_sql(study.database, "SELECT DISTINCT note FROM sensitivity WHERE window = 'peak'");
   ASSERT_EQ(table.rows.size(), 1u);
   EXPECT_NE(std::get<std::string>(table.rows[0][0])
-                .find("undefined: the baseline has no peak between 0.25 and 0.35 m"),
+                .find("undefined: the baseline has no peak between 0.16 and 0.18 m"),
             std::string::npos);
   EXPECT_EQ(query_sql(study.database, "SELECT * FROM window_mean WHERE window = 'peak'").rows.size(), 0u);
 }
