@@ -84,6 +84,8 @@ Finding kill_at_random(Victim victim, const std::string& name, Solver solver, in
     if (const std::string line = line_with(result.err, "killed"); !line.empty()) finding.told = line;
     if (finding.told.empty() && !line_with(result.err + result.out, "exited on signal 9").empty())
       finding.told = "mpirun: a process exited on signal 9 (Killed)";
+    // Of a rank that was killed as it started mpirun may know no more.
+    if (finding.told.empty()) finding.told = line_with(result.err + result.out, "aborted");
   }
   expect(finding, finding.trials == trials, fmt::format("only {} kills met their victim", finding.trials));
   if (trial) trial->finish(finding, {"--retry-failed"});
