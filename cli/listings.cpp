@@ -162,6 +162,8 @@ Table commands(bool) {
         "also `effects`, `realizations`, `windows`, `tornado`, `failures`, `sql`; as table, CSV or JSON"},
        {"campaign compare A B",
         "two campaigns side by side: averages, `sensitivity`, or the `settings` that differ"},
+       {"campaign prune STUDY",
+        "names finished results that the study no longer asks for, and removes them with --yes"},
        {"campaign export STUDY",
         "all results as CSV tables that pandas and R read, as JSON or for Dakota (schema.md)"},
        {"campaign import SOURCE --to NEW",
