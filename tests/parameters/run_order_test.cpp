@@ -13,7 +13,8 @@ RunOrder order_of(const Study& study) { return run_order(study, one_at_a_time(st
 
 TEST(RunOrder, RowsThatLikelyMatterComeFirstWithBothBounds) {
   const Study study = study_of(
-      sand_study("repeats = 2\n[parameters]\n"
+      "repeats = 2\n" +
+      sand_study("[parameters]\n"
                  "sand.nu = { baseline = 0.2, lower = 0.1, upper = 0.3 }\n"               // 2, 3
                  "chamber.wall = { baseline = \"rigid\", alternative = \"flexible\" }\n"  // 4
                  "sand.D_r_percent = { baseline = 36, lower = 26, upper = 46 }\n"         // 5, 6
