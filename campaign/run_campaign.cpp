@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -10,9 +12,11 @@
 
 #include "campaign/clock.hpp"
 #include "campaign/forecast.hpp"
+#include "campaign/pace.hpp"
 #include "campaign/stop_signals.hpp"
 #include "campaign/worker.hpp"
 #include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/run_order.hpp"
 #include "results/checkpoint.hpp"
 #include "results/curve_store.hpp"
 #include "results/ledger.hpp"
@@ -29,6 +33,8 @@ constexpr double longest_group = 0.1;  // [s] from a realization's end to its co
 constexpr double lock_note_after = 2.0;      // [s] of waiting for a locked database, before it is told
 constexpr double lock_note_interval = 60.0;  // [s] until it is told again
 constexpr double mirror_share = 0.005;       // most of the master's time that the curve file may take
+constexpr double page_share = 0.02;          // and the page
+constexpr double usual_cost = 0.001;         // [s] of a realization in either, until measured
 constexpr double muster_limit =
     0.8;  // [s] to wait for the workers' offers before the first realization starts
 
@@ -36,6 +42,14 @@ std::string describe(const parameters::Study& study, const parameters::Realizati
   if (realization.side == parameters::Side::baseline) return "baseline";
   if (realization.point >= 0) return std::string(parameter_name(study, realization));
   return fmt::format("{} = {}", parameter_name(study, realization), value_text(study, realization));
+}
+
+// Those of `order` that are among `ids`, which rise.
+std::vector<int> in_order(const std::vector<int>& order, const std::vector<int>& ids) {
+  std::vector<int> sorted;
+  std::ranges::copy_if(order, std::back_inserter(sorted),
+                       [&](int id) { return std::ranges::binary_search(ids, id); });
+  return sorted;
 }
 
 // Adds the time until its end to a sum.
@@ -65,7 +79,8 @@ class Master {
         options_(options),
         display_(display),
         executor_(executor),
-        scheduler_(ledger.pending(), options.threads),
+        order_(parameters::run_order(study, realizations)),
+        scheduler_(in_order(order_.ids, ledger.pending()), options.threads),
         before_(ledger.counts()),
         group_(ledger),
         started_(monotonic_seconds()) {
@@ -73,6 +88,9 @@ class Master {
       realizations_[realization.id] = realization;
     scheduler_.add_rank(master, transport.node(), own_slots(transport, options));
     if (options.checkpoint_seconds > 0.0) keep_checkpoints();
+    const std::vector<int> leading(order_.ids.begin(), order_.ids.begin() + order_.leading);
+    for (const int id : in_order(leading, ledger.pending())) awaited_.insert(id);
+    page_.news();
   }
 
   Summary run() {
@@ -96,7 +114,8 @@ class Master {
       }
     if (signal != 0) wind_up(signal);
     commit();
-    if (mirror_stale_) mirror_curves(results::write_curves);
+    if (curves_.stale()) mirror_curves(results::write_curves);
+    if (signal != 0 && page_shown_) write_page(false);
     return signal;
   }
 
@@ -114,7 +133,8 @@ class Master {
     }
     // What has ended waits a moment for others, as long as they come, to share one commit with them.
     if (!busy || now > oldest_ + longest_group) commit();
-    if (mirror_due(now)) mirror_curves(results::write_curves);
+    if (curves_.due(now, ended())) mirror_curves(results::write_curves);
+    if (page_due(now)) write_page(true);
     if (!scheduler_.done()) nap(napping.next(busy, now, transport_.longest_nap()));
   }
 
@@ -298,7 +318,11 @@ class Master {
     for (const std::string& line : news_) display_.note(line);
     if (checkpoints_)
       for (const int id : ended_) checkpoints_->remove(ledger_.settings_hash(id));
-    mirror_stale_ = mirror_stale_ || !ended_.empty();
+    if (!ended_.empty()) {
+      curves_.news();
+      page_.news();
+    }
+    for (const int id : ended_) awaited_.erase(id);
     news_.clear();
     ended_.clear();
     oldest_ = infinity;
@@ -318,13 +342,27 @@ class Master {
       if (curves_problem_.empty()) display_.note(fmt::format("warning: {}", problem.what()));
       curves_problem_ = problem.what();
     }
-    mirror_stale_ = false;
-    mirrored_ = monotonic_seconds();
-    if (const int count = ended(); count > 0) mirror_cost_ = (mirrored_ - start) / count;
+    curves_.wrote(start, monotonic_seconds(), ended());
   }
 
-  [[nodiscard]] bool mirror_due(double now) const {
-    return mirror_stale_ && mirror_share * (now - mirrored_) > mirror_cost_ * ended();
+  // The first page once there is something to see.
+  [[nodiscard]] bool page_due(double now) const {
+    return options_.write_page && awaited_.empty() && !scheduler_.done() && page_.due(now, ended());
+  }
+
+  void write_page(bool running) {
+    commit();
+    const double start = monotonic_seconds();
+    try {
+      const Timed timed(time_.page);
+      const std::string file = options_.write_page(running);
+      if (!page_shown_) display_.note(fmt::format("report: {}; the open page fills itself", file));
+      page_shown_ = true;
+    } catch (const results::Error& problem) {
+      if (!page_warned_) display_.note(fmt::format("warning: {}", problem.what()));
+      page_warned_ = true;
+    }
+    page_.wrote(start, monotonic_seconds(), ended());
   }
 
   void drop_silent_ranks(double now) {
@@ -374,6 +412,7 @@ class Master {
   std::optional<results::CheckpointFolder> checkpoints_;
   Executor& executor_;
   MasterTime time_;
+  parameters::RunOrder order_;
   Scheduler scheduler_;
   results::Counts before_;  // of earlier campaigns
   results::Ledger::Group group_;
@@ -390,13 +429,15 @@ class Master {
   std::map<int, int> interruptions_;  // by realization
   bool stopping_ = false;
   bool ranks_lost_ = false;
-  std::string curves_problem_;  // why the curve file could not be written when last it was tried
-  bool mirror_stale_ = false;
+  std::string curves_problem_;               // why the curve file could not be written when last it was tried
   double next_lock_note_ = lock_note_after;  // [s] of waiting for a locked database
   results::Patience patience_{
       [this](const auto& database, double seconds) { return waits_for_database(database, seconds); }};
-  double mirrored_ = 0.0;       // [s]
-  double mirror_cost_ = 0.001;  // [s] a realization; measured from the first mirror on
+  Pace curves_{mirror_share, usual_cost};
+  Pace page_{page_share, usual_cost};
+  std::set<int> awaited_;  // realizations that the first page waits for
+  bool page_shown_ = false;
+  bool page_warned_ = false;
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ struct MasterTime {
   Spent messages;      ///< sending and receiving, packing included
   Spent database;      ///< transactions of the ledger
   Spent curves;        ///< the curve file
+  Spent page;          ///< the page that follows the campaign
   Spent realizations;  ///< starting its own realizations and listening to them
   Spent waiting;       ///< asleep
   Spent whole;         ///< all of it, from the open ledger on; the rest is scheduling and display

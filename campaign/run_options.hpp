@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct RunOptions {
   double rank_limit_seconds = 30.0;   ///< a worker silent for so long is lost
   double checkpoint_seconds = 300.0;  ///< between two checkpoints of a realization; 0: none at all
   std::optional<results::FileSystem> file_system = {};  ///< of the database; found out if not given
+  /// Writes the page of a campaign that is still running, or was stopped, from its database, and returns the
+  /// page's file; none if empty. May throw results::Error.
+  std::function<std::string(bool running)> write_page = {};
   bool retry_failed = false;              ///< run realizations again that failed in an earlier campaign
   std::filesystem::path adopt_from = {};  ///< another database; what it has completed is not run again
 };

@@ -53,10 +53,11 @@ void diagnose_one(StudyRunner& runner, const RequestFile& asked, bool report) {
     diagnosis.next = next_measurements_of(runner, asked, soundings, assembled, diagnosis, assembled.remarks);
   const auto input = diagnosis_input(request, soundings, assembled, options, diagnosis, fitted);
   const reports::diagnosed::Answer answer = reports::diagnosed::answer_of(input);
-  store_answer(request.database, {request.title, asked.study.name, answer.headline}, diagnosis,
-               assembled.problem);
+  store_answer(request.database, {request.title, asked.study.name, answer.headline, answer.reservations},
+               diagnosis, assembled.problem);
   for (const std::string& remark : assembled.remarks) fmt::print("note: {}\n", remark);
   fmt::print("{}\n", answer.headline);
+  for (const std::string& reservation : answer.reservations) fmt::print("  {}\n", reservation);
   for (const std::string& paragraph : answer.paragraphs) fmt::print("\n{}\n", paragraph);
   fmt::print("\nanswer in {}\n", request.database.string());
   if (!report) return;

@@ -144,6 +144,57 @@ Table exit_codes(bool) {
   return table;
 }
 
+Table commands(bool) {
+  return {
+      {"command line", "does"},
+      {{"campaign STUDY",
+        "runs the study or goes on with it, on all cores; the report is there after the first results"},
+       {"mpirun -np 2 campaign STUDY",
+        "the same with MPI ranks; over several machines with mpirun's `--host`"},
+       {"campaign STUDY --plan", "shows the realizations"},
+       {"campaign STUDY --validate", "builds every model once and quits"},
+       {"campaign STUDY --retry-failed", "runs failed realizations again"},
+       {"campaign STUDY --checkpoint 60",
+        "keeps the state of running realizations every 60 s in place of every 5 min; 0: never"},
+       {"campaign rerun STUDY ID",
+        "runs one realization again and compares its curve bit for bit with the stored one"},
+       {"campaign query STUDY sensitivity",
+        "also `effects`, `realizations`, `windows`, `tornado`, `failures`, `sql`; as table, CSV or JSON"},
+       {"campaign compare A B",
+        "two campaigns side by side: averages, `sensitivity`, or the `settings` that differ"},
+       {"campaign prune STUDY",
+        "names finished results that the study no longer asks for, and removes them with --yes"},
+       {"campaign export STUDY",
+        "all results as CSV tables that pandas and R read, as JSON or for Dakota (schema.md)"},
+       {"campaign import SOURCE --to NEW",
+        "makes a database of an export or of another program's table, or a study that runs the table's "
+        "inputs"},
+       {"campaign report STUDY",
+        "writes page, figures and tables; with `--watch` again whenever the campaign has got further"},
+       {"campaign push STUDY ID",
+        "runs one realization and writes stress, void ratio and displacement for ParaView, and histories "
+        "(output.md)"},
+       {"campaign view PUSH", "draws the fields that `push` stored: a PNG for each depth and an animation"},
+       {"campaign paper FOLDER", "holds the paper's studies in FOLDER against the paper (paper.md)"},
+       {"campaign numerics STUDY",
+        "what mesh, material points, time step, mass scaling and speed do to q_c (numerical-uncertainty.md)"},
+       {"campaign element triaxial",
+        "also `oedometer`, `isotropic`: single elements through the same constitutive code"},
+       {"campaign element calibrate TEST.csv",
+        "finds H from drained triaxial tests by matching their initial stiffness"},
+       {"campaign recording FILE",
+        "what a measured sounding holds, what is odd about it, and its plot (recordings.md)"},
+       {"campaign diagnose REQUEST",
+        "where recordings and simulation part, and which left-out physics closes the gap "
+        "(diagnosis-method.md)"},
+       {"campaign conceal PLAN", "draws sealed cases for the diagnosis"},
+       {"campaign reveal PLAN", "opens them once they are diagnosed, and scores the answers"},
+       {"campaign list quantities",
+        "also `study-keys`, `mechanisms`, `presets`, ...: all that there is to choose from"},
+       {"campaign reference", "prints this page"},
+       {"campaign completion bash", "prints the script that completes the command line"}}};
+}
+
 Table environment(bool) {
   return {{"variable", "meaning"},
           {{"CPT_RECORDINGS", "folder of recordings that do not lie beside their request"},
@@ -170,6 +221,8 @@ Table files(bool) {
 }
 
 constexpr Listing all_listings[] = {
+    {"commands", "What to type",
+     "the usual command lines; a database may stand where a study does, but to run it", commands},
     {"study-keys", "Keys of a study", "the keys of a study file", study_keys},
     {"quantities", "Quantities",
      "everything a study can set or vary; defaults of homogeneous_sand at standard", quantities},

@@ -46,11 +46,19 @@ int exit_code(const campaign::Summary& summary) {
   return summary.complete() ? all_well : realizations_failed;
 }
 
-int run_as_master(const Arguments& arguments, campaign::Transport& transport, bool& ranks_lost) {
+constexpr int reload_seconds = 5;  // of the page while the campaign runs
+
+int run_as_master(Arguments arguments, campaign::Transport& transport, bool& ranks_lost) {
   const campaign::Dismissal dismissal(transport);
   const StudyFile file = read_study_file(arguments.study);
   refuse_forgotten_growth(file.study);
   if (!arguments.quiet) print_remarks(file.study);
+  if (!arguments.no_report)
+    arguments.options.write_page = [&study = file.study](bool running) {
+      return write_study_page(results::read_snapshot(study.database), study.database, study.report_dir,
+                              running ? reload_seconds : 0)
+          .string();
+    };
   const auto style = arguments.quiet ? campaign::ProgressDisplay::Style::silent
                                      : campaign::ProgressDisplay::style_of(stderr);
   campaign::ProgressDisplay display(stderr, style);
@@ -145,7 +153,8 @@ void add_run(CLI::App& program, Action& action) {
                       .description(""));
   command->add_flag("--retry-failed", options.retry_failed, "Run failed realizations again");
   command->add_flag("--quiet", arguments->quiet, "No progress, no summary");
-  command->add_flag("--no-report", arguments->no_report, "Do not write the report at the end");
+  command->add_flag("--no-report", arguments->no_report,
+                    "Write no report, neither while it runs nor at the end");
   add_executor_option(*command, arguments->executor);
   command->footer(std::string("No result depends on slots, threads or ranks.\n\n") + exit_code_help);
   command->callback([arguments, &action] {

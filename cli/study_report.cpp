@@ -3,16 +3,33 @@
 #include "reports/report.hpp"
 
 namespace cpt::cli {
+namespace {
+
+reports::PageContext context_of(const results::Snapshot& campaign, const std::filesystem::path& database,
+                                int reload_seconds) {
+  const auto folder = database.has_parent_path() ? database.parent_path() : std::filesystem::path(".");
+  reports::PageContext context;
+  context.diagnoses = diagnosis::read_answers(folder, campaign.campaign.name);
+  context.reload_seconds = reload_seconds;
+  return context;
+}
+
+}  // namespace
 
 std::vector<std::filesystem::path> write_study_report(const results::Snapshot& campaign,
                                                       const std::filesystem::path& database,
                                                       const std::filesystem::path& directory,
                                                       int reload_seconds, reports::Column column,
                                                       const std::vector<std::string>& notes) {
-  const auto folder = database.has_parent_path() ? database.parent_path() : std::filesystem::path(".");
-  return reports::write_report(
-      campaign, directory,
-      {diagnosis::read_answers(folder, campaign.campaign.name), {}, reload_seconds, {}, notes}, column);
+  reports::PageContext context = context_of(campaign, database, reload_seconds);
+  context.notes = notes;
+  return reports::write_report(campaign, directory, context, column);
+}
+
+std::filesystem::path write_study_page(const results::Snapshot& campaign,
+                                       const std::filesystem::path& database,
+                                       const std::filesystem::path& directory, int reload_seconds) {
+  return reports::write_page(campaign, directory, context_of(campaign, database, reload_seconds));
 }
 
 }  // namespace cpt::cli

@@ -20,4 +20,10 @@ std::vector<std::filesystem::path> write_study_report(const results::Snapshot& c
                                                       reports::Column column = reports::Column::one_and_half,
                                                       const std::vector<std::string>& notes = {});
 
+/// The page of that report alone, without figures and tables, for a campaign that gets further. Returns its
+/// file.
+std::filesystem::path write_study_page(const results::Snapshot& campaign,
+                                       const std::filesystem::path& database,
+                                       const std::filesystem::path& directory, int reload_seconds);
+
 }  // namespace cpt::cli

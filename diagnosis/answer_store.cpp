@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "diagnosis/departure.hpp"
 #include "diagnosis/design.hpp"
 #include "results/database.hpp"
 #include "results/patience.hpp"
@@ -21,6 +23,7 @@ DROP TABLE IF EXISTS mismatch;
 DROP TABLE IF EXISTS fitted_parameter;
 DROP TABLE IF EXISTS mechanism_pair;
 DROP TABLE IF EXISTS next_measurement;
+DROP TABLE IF EXISTS reservation;
 CREATE TABLE diagnosis (
   title             TEXT NOT NULL,
   study             TEXT NOT NULL,
@@ -41,7 +44,8 @@ CREATE TABLE hypothesis (
   in_set INTEGER NOT NULL
 );
 CREATE TABLE mismatch (
-  position INTEGER PRIMARY KEY, sounding INTEGER NOT NULL, from_m REAL, to_m REAL, percent REAL, step_kPa REAL, p REAL
+  position INTEGER PRIMARY KEY, sounding INTEGER NOT NULL, from_m REAL, to_m REAL, above_refitted_percent REAL,
+  above_refitted_kPa REAL, scan_step_percent REAL, p REAL
 );
 CREATE TABLE fitted_parameter (
   mechanism TEXT NOT NULL, quantity TEXT NOT NULL, unit TEXT NOT NULL, value REAL, deviation REAL, lower REAL, upper REAL,
@@ -53,6 +57,7 @@ CREATE TABLE mechanism_pair (
 CREATE TABLE next_measurement (
   position INTEGER PRIMARY KEY, name TEXT NOT NULL, least_distance REAL
 );
+CREATE TABLE reservation (position INTEGER PRIMARY KEY, sentence TEXT NOT NULL);
 )sql";
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -117,16 +122,20 @@ void store_answer(const std::filesystem::path& file, const AnswerText& text, con
         .run();
   }
   int position = 0;
-  for (const Mismatch& m : diagnosis.location.mismatches)
-    database.prepare("INSERT INTO mismatch VALUES (?, ?, ?, ?, ?, ?, ?)")
+  const VectorXd recorded = problem.recorded(diagnosis.rows);
+  for (const Mismatch& m : diagnosis.location.mismatches) {
+    const Departure above = departure_on(diagnosis.cells, recorded, diagnosis.recalibrated.curve, m);
+    database.prepare("INSERT INTO mismatch VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
         .bind(++position)
         .bind(m.sounding)
         .bind(m.from)
         .bind(m.to)
-        .bind(m.percent)
-        .bind(m.step / 1e3)
+        .bind(above.percent)
+        .bind(above.difference / 1e3)
+        .bind(100.0 * std::expm1(m.size))
         .bind(m.p)
         .run();
+  }
   for (const FittedParameter& f : fitted_parameters(diagnosis, problem))
     database.prepare("INSERT INTO fitted_parameter VALUES (?, ?, ?, ?, ?, ?, ?)")
         .bind(f.mechanism)
@@ -152,8 +161,28 @@ void store_answer(const std::filesystem::path& file, const AnswerText& text, con
         .bind(pair.second)
         .bind(pair.log_evidence)
         .run();
+  position = 0;
+  for (const std::string& sentence : text.reservations)
+    database.prepare("INSERT INTO reservation VALUES (?, ?)").bind(++position).bind(sentence).run();
   transaction.commit();
 }
+
+namespace {
+
+bool has_column(const results::Database& database, const std::string& table, const std::string& column) {
+  results::Statement row = database.prepare("SELECT 1 FROM pragma_table_info(?) WHERE name = ?");
+  row.bind(table).bind(column);
+  return row.step();
+}
+
+// Earlier answers kept the step of the scan there, which is no distance of recording and refitted curve.
+std::string places_query(const results::Database& database) {
+  return fmt::format(
+      "SELECT sounding, from_m, to_m, {}, p FROM mismatch ORDER BY position",
+      has_column(database, "mismatch", "above_refitted_percent") ? "above_refitted_percent" : "NULL");
+}
+
+}  // namespace
 
 StoredAnswer load_answer(const std::filesystem::path& file) {
   const results::Database database(file, results::Database::Mode::read_only);
@@ -162,7 +191,7 @@ StoredAnswer load_answer(const std::filesystem::path& file) {
       "SELECT title, study, headline, answer, held_out_rmse_null, held_out_rmse, held_out_gain, "
       "held_out_gain_lower, held_out_gain_upper FROM diagnosis");
   if (!row.step()) throw std::invalid_argument(file.string() + " holds no answer");
-  StoredAnswer answer{{row.text(0), row.text(1), row.text(2)},
+  StoredAnswer answer{{row.text(0), row.text(1), row.text(2), {}},
                       file.filename().string(),
                       row.text(3),
                       row.number(4),
@@ -179,8 +208,7 @@ StoredAnswer load_answer(const std::filesystem::path& file) {
   while (hypotheses.step())
     answer.hypotheses.push_back({hypotheses.text(0), hypotheses.number(1), hypotheses.number(2),
                                  hypotheses.number(3), hypotheses.integer(4) != 0});
-  results::Statement places =
-      database.prepare("SELECT sounding, from_m, to_m, percent, p FROM mismatch ORDER BY position");
+  results::Statement places = database.prepare(places_query(database));
   while (places.step())
     answer.mismatches.push_back({static_cast<int>(places.integer(0)), places.number(1), places.number(2),
                                  places.number(3), places.number(4)});
@@ -192,6 +220,10 @@ StoredAnswer load_answer(const std::filesystem::path& file) {
   results::Statement pair =
       database.prepare("SELECT first, second FROM mechanism_pair ORDER BY position LIMIT 1");
   if (pair.step()) answer.best_pair = {pair.text(0), pair.text(1)};
+  if (has_column(database, "reservation", "sentence")) {
+    results::Statement sentences = database.prepare("SELECT sentence FROM reservation ORDER BY position");
+    while (sentences.step()) answer.reservations.push_back(sentences.text(0));
+  }
   return answer;
 }
 
@@ -200,8 +232,7 @@ namespace {
 bool has_answer_about(const std::filesystem::path& file, const std::string& study) {
   const results::Database database(file, results::Database::Mode::read_only);
   // An answer stored before the table named its study is nobody's.
-  if (database.integer("SELECT count(*) FROM pragma_table_info('diagnosis') WHERE name = 'study'") == 0)
-    return false;
+  if (!has_column(database, "diagnosis", "study")) return false;
   results::Statement row = database.prepare("SELECT 1 FROM diagnosis WHERE study = ?");
   row.bind(study);
   return row.step();

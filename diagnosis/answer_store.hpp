@@ -25,9 +25,10 @@ struct FittedParameter {
 
 /// What an answer is about, and how it is said.
 struct AnswerText {
-  std::string title;     ///< of the request
-  std::string study;     ///< name of the study it was held against
-  std::string headline;  ///< the answer in one sentence
+  std::string title;                      ///< of the request
+  std::string study;                      ///< name of the study it was held against
+  std::string headline;                   ///< the answer in one sentence
+  std::vector<std::string> reservations;  ///< what must be known beside it
 };
 
 /// Replaces what the file holds of an earlier answer, in one transaction. Throws results::Error.
@@ -49,7 +50,7 @@ struct StoredAnswer : AnswerText {
   struct Place {
     int sounding;
     double from, to;  // [m]
-    double percent;   // [%] of the simulated q_c
+    double percent;   // [%] recorded over refitted q_c, less 100; NaN in answers that did not keep it
     double p;         // [-]
   };
   std::vector<Place> mismatches;

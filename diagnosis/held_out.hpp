@@ -4,6 +4,8 @@
 // both as freely, and predict the block.
 #pragma once
 
+#include <cstdint>
+
 #include "diagnosis/evidence.hpp"
 #include "diagnosis/parameters_prior.hpp"
 

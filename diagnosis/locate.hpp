@@ -56,7 +56,7 @@ struct LocateOptions {
 struct Mismatch {
   int sounding;      ///< -1: the same depths in all soundings
   double from, to;   // [m]
-  double size;       // [ln q_c] recorded minus simulated, with its sign
+  double size;       // [ln q_c] step missing beside moving parameters; departure.hpp has what figures show
   double percent;    // [%] the same, of q_c
   double step;       // [Pa] the same, in q_c: mean over the interval of the simulated curve times percent
   double statistic;  // [-]

@@ -1,6 +1,8 @@
 // What the study's parameters within their bounds can do to the curve: the nuisance of the diagnosis.
 #pragma once
 
+#include <cstdint>
+
 #include "diagnosis/response_surface.hpp"
 #include "diagnosis/whitener.hpp"
 

@@ -7,6 +7,7 @@
 #include "reports/figures.hpp"
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
+#include "reports/push_start_mark.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -83,6 +84,7 @@ void draw_inset(Svg& svg, const Snapshot& campaign, const solver::DepthProfile& 
   svg.begin_clip(box);
   plot.draw_curve(svg, profile, {palette::ink, 0.9, {}});
   svg.end_clip();
+  mark_start(svg, plot, profile);
   const double x = plot.q_c(inset.mean->q_c_mean_kPa);
   svg.line({x, plot.depth(inset.window->from_m)}, {x, plot.depth(inset.window->to_m)},
            {palette::vermillion, 1.4, {}});
@@ -119,6 +121,7 @@ std::optional<std::string> baseline_figure(const Snapshot& campaign, Column colu
   svg.begin_clip(box);
   whole.draw_curve(svg, *profile, {palette::ink, 0.9, {}});
   svg.end_clip();
+  mark_start(svg, whole, *profile);
   whole.draw_frame(svg);
   const std::vector<double> tops = beside_windows(insets, whole);
   for (std::size_t i = 0; i < insets.size(); ++i) {

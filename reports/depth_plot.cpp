@@ -3,20 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 
-#include "reports/labels.hpp"
+#include "reports/notes.hpp"
 #include "reports/palette.hpp"
+#include "reports/push_start_mark.hpp"
+#include "results/push_start.hpp"
 
 namespace cpt::reports {
 namespace {
 
 constexpr double kPa = 1.0e3;
 constexpr double glyph_width = 16.0;
-constexpr double text_size = 7.5;
+constexpr double text_size = 7.5, line_pitch = 9.0;
 
-/// Median of a value and up to two neighbours on either side: a spike of one or two bins, as at the start of
-/// a push, must not set the scale.
+/// Median of a value and up to two neighbours on either side: a spike of one or two bins must not set the
+/// scale.
 double median_around(const std::vector<double>& values, std::size_t i) {
   std::vector<double> near;
   for (std::size_t k = i < 2 ? 0 : i - 2; k <= i + 2 && k < values.size(); ++k)
@@ -53,7 +56,17 @@ void DepthPlot::draw_curve(Svg& svg, const solver::DepthProfile& profile, const 
   std::vector<Point> points;
   for (std::size_t i = 0; i < profile.depth.size(); ++i)
     points.push_back({q_c(profile.q_c[i] / kPa), depth(profile.depth[i])});
-  svg.polyline(points, pen);
+  const std::size_t start = results::bins_of_start(profile);
+  const std::span<const Point> all(points);
+  if (start > 0) svg.polyline(all.first(start + 1), {palette::faint, 0.6 * pen.width, "1.5 1.5"});
+  svg.polyline(all.subspan(start), pen);
+}
+
+void mark_start(Svg& svg, const DepthPlot& plot, const solver::DepthProfile& profile) {
+  const std::size_t start = results::bins_of_start(profile);
+  if (start == 0 || profile.depth[start] > plot.depth.high || profile.depth[0] < plot.depth.low) return;
+  svg.text({plot.box.right() - 4.0, plot.depth(profile.depth[0]) - 2.5}, plain("start of the push"),
+           {.size = 6.5, .anchor = Anchor::end, .color = palette::muted, .halo = true});
 }
 
 void DepthPlot::draw_frame(Svg& svg) const { svg.frame(box, {palette::ink, 0.6, {}}); }
@@ -77,7 +90,7 @@ DepthPlot whole_profile(const results::Snapshot& campaign, const std::vector<res
         std::any_of(campaign.realizations.begin(), campaign.realizations.end(),
                     [&](const auto& run) { return run.id == curve.realization && run.completed(); });
     if (!whole && curves.size() > 1) continue;  // a run that blew up must not set the scale
-    for (std::size_t i = 0; i < curve.profile.q_c.size(); ++i) {
+    for (std::size_t i = results::bins_of_start(curve.profile); i < curve.profile.q_c.size(); ++i) {
       const double q = median_around(curve.profile.q_c, i) / kPa;
       if (!std::isfinite(q)) continue;
       least = std::min(least, q);
@@ -92,12 +105,15 @@ DepthPlot whole_profile(const results::Snapshot& campaign, const std::vector<res
 
 void Legend::entry(const Rich& text) {
   const double room = width_ - glyph_width - 5.0;
-  const bool fits = width(text, text_size) <= room;
+  const double x = x_ + glyph_width + 5.0, base = y_ + 0.36 * text_size;
+  y_ += pitch;
+  if (width(text, text_size) <= room) return svg_.text({x, base}, text, {.size = text_size});
   std::string whole;
   for (const Span& span : text) whole += span.text;
-  svg_.text({x_ + glyph_width + 5.0, y_ + 0.36 * text_size},
-            fits ? text : plain(shortened(whole, room, text_size)), {.size = text_size});
-  y_ += pitch;
+  const std::vector<std::string> lines = wrapped(whole, text_size, room);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    svg_.text({x, base + line_pitch * static_cast<double>(i)}, plain(lines[i]), {.size = text_size});
+  y_ += line_pitch * static_cast<double>(lines.size() - 1);
 }
 
 void Legend::line(const Rich& text, const Pen& pen) {

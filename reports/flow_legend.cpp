@@ -6,11 +6,25 @@ namespace cpt::reports {
 namespace {
 
 constexpr double text_size = 7.5, glyph_gap = 3.0, entry_gap = 11.0, row_pitch = 12.0;
+constexpr double line_glyph = 16.0;
 
 }  // namespace
 
 void FlowLegend::add(double glyph_width, const Rich& text, std::function<void(Svg&, Point)> draw) {
   entries_.push_back({glyph_width, text, std::move(draw)});
+}
+
+void FlowLegend::line(const Rich& text, const Pen& pen) {
+  add(line_glyph, text,
+      [color = std::string(pen.color), wide = pen.width, dash = std::string(pen.dash)](Svg& svg, Point at) {
+        svg.line(at, {at.x + line_glyph, at.y}, {color, wide, dash});
+      });
+}
+
+void FlowLegend::patch(const Rich& text, std::string_view fill) {
+  add(line_glyph, text, [fill = std::string(fill)](Svg& svg, Point at) {
+    svg.rectangle({at.x, at.y - 4.0, line_glyph, 8.0}, fill);
+  });
 }
 
 std::vector<Point> FlowLegend::places(double room) const {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/svg.hpp"
@@ -12,6 +14,9 @@ class FlowLegend {
  public:
   /// `draw` puts the glyph with its left end, at half its height, where it is told.
   void add(double glyph_width, const Rich& text, std::function<void(Svg&, Point)> draw);
+
+  void line(const Rich& text, const Pen& pen);
+  void patch(const Rich& text, std::string_view fill);
 
   /// Height of all rows in so much room [pt].
   [[nodiscard]] double height(double room) const;

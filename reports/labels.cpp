@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "reports/palette.hpp"
+#include "results/interrupted.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -113,6 +114,8 @@ std::string state_of(const Snapshot& campaign) {
     text += fmt::format(", {} failed", failed);
   if (const auto waiting = count([](const RealizationRow& r) { return r.waiting(); }); waiting > 0)
     text += fmt::format(", {} still to run", waiting);
+  if (const auto cut = count([](const RealizationRow& r) { return results::interrupted(r); }); cut > 0)
+    text += fmt::format(" ({} {} running when the campaign ended)", cut, cut == 1 ? "was" : "were");
   return text;
 }
 

@@ -6,8 +6,11 @@
 
 #include "reports/html/assets.hpp"
 #include "reports/labels.hpp"
+#include "reports/notes.hpp"
 #include "reports/numbers.hpp"
 #include "reports/text.hpp"
+#include "results/interrupted.hpp"
+#include "results/push_start.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -33,6 +36,7 @@ Json answers(const std::vector<diagnosis::StoredAnswer>& stored) {
     Json answer = {{"file", a.file},
                    {"title", a.title},
                    {"headline", a.headline},
+                   {"reservations", a.reservations},
                    {"held_out_rmse_null", a.held_out_rmse_null},
                    {"held_out_rmse", a.held_out_rmse},
                    {"held_out_gain", a.held_out_gain},
@@ -66,9 +70,12 @@ Json page_data(const Snapshot& s, const PageContext& context) {
     data["parameters"][i]["label"] = label(symbol_of(s, s.parameters[i]));
   std::string newest;
   for (std::size_t i = 0; i < s.realizations.size(); ++i) {
+    data["realizations"][i]["status"] = results::status_words(s.realizations[i]);
     data["realizations"][i]["label"] = label(run_label(s, s.realizations[i]));
     newest = std::max(newest, s.realizations[i].finished);
   }
+  for (std::size_t i = 0; i < s.windows.size(); ++i)
+    data["windows"][i]["remark"] = window_remark(s, s.windows[i]);
   data["layers"] = Json::array();
   for (const results::LayerRow& layer : s.layers)
     data["layers"].push_back({{"top_m", layer.top_m}, {"bottom_m", layer.bottom_m}, {"soil", layer.soil}});
@@ -76,7 +83,8 @@ Json page_data(const Snapshot& s, const PageContext& context) {
   for (const results::CurveRow& curve : s.curves)
     data["curves"].push_back({{"realization", curve.realization},
                               {"depth_m", curve.profile.depth},
-                              {"q_c_kPa", in_kPa(curve.profile.q_c)}});
+                              {"q_c_kPa", in_kPa(curve.profile.q_c)},
+                              {"start", results::bins_of_start(curve.profile)}});
   data["diagnoses"] = answers(context.diagnoses);
   data["state"] = state_of(s);
   data["notes"] = context.notes;

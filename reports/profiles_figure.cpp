@@ -8,6 +8,7 @@
 #include "reports/figures.hpp"
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
+#include "reports/push_start_mark.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -78,6 +79,7 @@ std::optional<std::string> profiles_figure(const Snapshot& campaign, Column colu
   const solver::DepthProfile* base = baseline != nullptr ? curve_of(campaign, baseline->id) : nullptr;
   if (base != nullptr) axes.draw_curve(svg, *base, {palette::ink, 1.4, {}});
   svg.end_clip();
+  mark_start(svg, axes, base != nullptr ? *base : campaign.curves.front().profile);
   axes.draw_frame(svg);
 
   Legend legend{svg, narrow ? plot.x : plot.right() + 12.0, narrow ? plot.bottom() + 14.0 : plot.y + 6.0,

@@ -35,4 +35,13 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
   return files;
 }
 
+std::filesystem::path write_page(const results::Snapshot& campaign, const std::filesystem::path& directory,
+                                 PageContext context) {
+  make_directory(directory);
+  context.effects = results::design_effects(campaign);
+  const std::filesystem::path file = directory / "index.html";
+  write_text(file, page(campaign, context));
+  return file;
+}
+
 }  // namespace cpt::reports

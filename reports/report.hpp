@@ -28,4 +28,8 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
                                                 PageContext context = {},
                                                 Column column = Column::one_and_half);
 
+/// index.html alone, for a campaign that gets further. Throws as write_report.
+std::filesystem::path write_page(const results::Snapshot& campaign, const std::filesystem::path& directory,
+                                 PageContext context);
+
 }  // namespace cpt::reports

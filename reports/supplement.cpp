@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "reports/labels.hpp"
+#include "reports/notes.hpp"
 #include "reports/palette.hpp"
 #include "results/audit_bounds.hpp"
 #include "results/model_remarks.hpp"
@@ -22,23 +23,6 @@ constexpr double left = 0.5 * (a4_width - column);
 constexpr double bottom = a4_height - 40.0;
 constexpr double text_size = 9.0, table_size = 7.5;
 
-/// Text broken into lines no wider than the column.
-std::vector<std::string> wrapped(const std::string& text, double size, double room) {
-  std::vector<std::string> lines(1);
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::string word = text.substr(at, end - at);
-    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-    if (lines.back().empty() || width(plain(longer), size) <= room)
-      lines.back() = longer;
-    else
-      lines.push_back(word);
-    at = end + 1;
-  }
-  for (std::string& line : lines) line = shortened(line, room, size);
-  return lines;
-}
-
 /// Height of a figure over its width.
 double shape_of(const std::string& svg) {
   constexpr std::string_view before = "viewBox=\"0 0 ";
@@ -52,9 +36,11 @@ double shape_of(const std::string& svg) {
 class Writer {
  public:
   void heading(const std::string& text, double size = 12.0) {
-    need(3.0 * size);
-    y_ += size + 6.0;
-    svg_.text({left, y_}, plain(shortened(text, column, size, true)), {.size = size, .bold = true});
+    const auto lines = wrapped(text, size, column, true);
+    need(1.3 * size * static_cast<double>(lines.size()) + 2.0 * size);
+    y_ += 6.0;
+    for (const std::string& line : lines)
+      svg_.text({left, y_ += 1.2 * size}, plain(line), {.size = size, .bold = true});
     y_ += 6.0;
   }
   void paragraph(const std::string& text) {
@@ -64,20 +50,25 @@ class Writer {
     }
     y_ += 4.0;
   }
-  /// A row of a table; each cell is cut to its column's width.
+  /// A row of a table, as high as its longest cell wants.
   void row(const std::vector<Rich>& cells, const std::vector<double>& widths, bool bold = false) {
-    need(1.5 * table_size);
+    constexpr double pitch = 1.2 * table_size;
+    std::vector<std::vector<Rich>> lines;
+    std::size_t most = 1;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      lines.push_back(lines_of(cells[k], widths[k] - 6.0, bold));
+      most = std::max(most, lines.back().size());
+    }
+    const double below = pitch * static_cast<double>(most - 1);
+    need(1.5 * table_size + below + 3.0);
     y_ += 1.5 * table_size;
     double x = left;
     for (std::size_t k = 0; k < cells.size(); ++k) {
-      std::string whole;
-      for (const Span& span : cells[k]) whole += span.text;
-      const double room = widths[k] - 6.0;
-      const bool fits = width(cells[k], table_size, bold) <= room;
-      svg_.text({x, y_}, fits ? cells[k] : plain(shortened(whole, room, table_size, bold)),
-                {.size = table_size, .bold = bold});
+      for (std::size_t i = 0; i < lines[k].size(); ++i)
+        svg_.text({x, y_ + pitch * static_cast<double>(i)}, lines[k][i], {.size = table_size, .bold = bold});
       x += widths[k];
     }
+    y_ += below;
     svg_.line({left, y_ + 3.0}, {left + column, y_ + 3.0},
               {bold ? palette::ink : palette::grid, bold ? 0.8 : 0.4, {}});
   }
@@ -99,6 +90,15 @@ class Writer {
 
  private:
   static constexpr double top = 36.0;
+  /// A cell keeps its subscripts where it needs one line only.
+  static std::vector<Rich> lines_of(const Rich& cell, double room, bool bold) {
+    if (width(cell, table_size, bold) <= room) return {cell};
+    std::string whole;
+    for (const Span& span : cell) whole += span.text;
+    std::vector<Rich> lines;
+    for (const std::string& line : wrapped(whole, table_size, room, bold)) lines.push_back(plain(line));
+    return lines;
+  }
   void need(double height) {
     if (y_ + height > bottom) new_page();
   }
@@ -160,6 +160,7 @@ void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& win
       "after Yost et al. (2023), eq. 3.",
       depth_range(window.from_m, window.to_m), number(rows.front().q_baseline_kPa, 5),
       decimals(rows.front().si_noise, 4)));
+  if (const std::string remark = window_remark(s, window); !remark.empty()) out.paragraph(remark);
   if (const auto* noise = repeat_noise_of(s, window.name))
     out.paragraph(fmt::format(
         "± is half the row's own 95 % interval of SI from {} runs of the baseline with shifted material "
@@ -236,7 +237,7 @@ void write_imports(Writer& out, const Snapshot& s) {
   std::string files;
   for (const auto& source : s.imports) files += (files.empty() ? "" : ", ") + source.file;
   out.paragraph(fmt::format("Results imported from {} at {}; report.json has the SHA-256 of what was read.",
-                            files, s.imports.back().imported));
+                            files, moment(s.imports.back().imported)));
 }
 
 }  // namespace
@@ -252,7 +253,7 @@ std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure
       "Study {}, profile {}, preset {}; {}campaign begun {}.", c.name, c.profile, c.preset,
       c.solver_version.empty() ? ""
                                : fmt::format("program {}, solver {}; ", c.program_version, c.solver_version),
-      c.created));
+      moment(c.created)));
   write_imports(out, s);
   for (const std::string& remark : results::model_remarks(s)) out.paragraph("Note: " + remark + ".");
   for (const auto& window : s.windows) write_indices(out, s, window);

@@ -167,10 +167,13 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
 
   draw_horizontal(svg, area, axis, Edge::bottom, symbolic("average q_c (kPa)"),
                   column == Column::single ? 4 : 6);
-  if (noise)
+  if (noise) {
+    svg.begin_clip(area);
     svg.rectangle(
         {axis(base->q_c_min_kPa), area.y, axis(base->q_c_max_kPa) - axis(base->q_c_min_kPa), area.height},
         palette::band, 0.8);
+    svg.end_clip();
+  }
   const double x0 = axis(base->q_c_mean_kPa);
   svg.line({x0, area.y}, {x0, area.bottom()}, {palette::ink, 1.0, {}});
   double y = area.y + 2.0 + 0.5 * row_pitch;

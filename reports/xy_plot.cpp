@@ -55,7 +55,8 @@ void draw(Svg& svg, const Box& box, const XyPlot& plot) {
   for (const XyCurve& curve : plot.curves) take(curve.points);
   take(plot.room);
   if (!(x.low <= x.high)) return;
-  const Range across = plot.log_x ? widened(x.low, x.high, 0.02) : widened(x.low, x.high, 0.0);
+  const bool marked = std::ranges::any_of(plot.curves, [](const XyCurve& c) { return c.mark > 0.0; });
+  const Range across = widened(x.low, x.high, plot.log_x ? 0.02 : marked ? 0.03 : 0.0);
   const Range up = widened(y.low, y.high, 0.05);
   const Axis horizontal{across.low, across.high, box.x, box.right()};
   const Axis vertical =

@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "results/interrupted.hpp"
 #include "results/setup_text.hpp"
 
 namespace cpt::results {
@@ -55,6 +56,31 @@ Cell above(const SensitivityRow* row) {
   return std::int64_t{*row->above_noise};
 }
 
+/// Why a campaign has no value of a run: "" where it does not know the run at all.
+std::string why_none(const Snapshot& s, const Key& key) {
+  const auto& [window, parameter, side, value] = key;
+  if (std::ranges::none_of(s.windows, [&](const WindowRow& w) { return w.name == window; })) return "";
+  const auto run = std::ranges::find_if(s.realizations, [&](const RealizationRow& r) {
+    return r.parameter == parameter && r.side == side && r.value_text == value;
+  });
+  if (run == s.realizations.end()) return "";
+  return interrupted(*run) ? "interrupted"
+         : run->waiting()  ? "not run yet"
+         : run->failed()   ? fmt::format("failed ({})", run->status)
+                           : "no value in the window";
+}
+
+/// "only in b"; "a failed (crashed)"; "a not run yet, b failed (crashed)".
+std::string absence(const Snapshot& a, const Snapshot& b, const Key& key, bool in_a, bool in_b) {
+  const std::string of_a = in_a ? "" : why_none(a, key), of_b = in_b ? "" : why_none(b, key);
+  std::string note;
+  if (!of_a.empty()) note = "a " + of_a;
+  if (!of_b.empty()) note += (note.empty() ? "b " : ", b ") + of_b;
+  if (!in_a && of_a.empty()) note += note.empty() ? "only in b" : ", only in b";
+  if (!in_b && of_b.empty()) note += note.empty() ? "only in a" : ", only in a";
+  return note;
+}
+
 const SensitivityRow* index_of(const Snapshot& s, const std::string& window, const std::string& parameter) {
   const auto row = std::ranges::find_if(
       s.sensitivity, [&](const SensitivityRow& r) { return r.window == window && r.parameter == parameter; });
@@ -83,16 +109,12 @@ Table compare_means(const Snapshot& a, const Snapshot& b) {
   Table table{{"window", "parameter", "side", "value", "a_kPa", "b_kPa", "change", "note"}, {}};
   for (const Key& key : keys_of(a, b)) {
     const auto in_a = of_a.find(key), in_b = of_b.find(key);
-    if (in_a == of_a.end() && in_b == of_b.end()) continue;  // failed or not run in both
-    std::string note;
+    std::string note = absence(a, b, key, in_a != of_a.end(), in_b != of_b.end());
     double q_a = NAN, q_b = NAN;
     if (in_a != of_a.end()) q_a = in_a->second.q_c_mean_kPa;
     if (in_b != of_b.end()) q_b = in_b->second.q_c_mean_kPa;
-    if (in_a == of_a.end())
-      note = "only in b";
-    else if (in_b == of_b.end())
-      note = "only in a";
-    else if (in_a->second.from_m != in_b->second.from_m || in_a->second.to_m != in_b->second.to_m)
+    if (note.empty() &&
+        (in_a->second.from_m != in_b->second.from_m || in_a->second.to_m != in_b->second.to_m))
       note = fmt::format("windows differ: {:.4f} to {:.4f} m, {:.4f} to {:.4f} m", in_a->second.from_m,
                          in_a->second.to_m, in_b->second.from_m, in_b->second.to_m);
     const auto& [window, parameter, side, value] = key;

@@ -288,9 +288,10 @@ Database Database::copy_in_memory() const {
   Database copy(":memory:", Mode::read_write);
   copy.file_ = file_;
   sqlite3_backup* backup = sqlite3_backup_init(copy.connection_, "main", connection_, "main");
-  if (backup != nullptr) sqlite3_backup_step(backup, -1);
+  // What is busy or locked is no error to the end of a backup.
+  const int step = backup != nullptr ? sqlite3_backup_step(backup, -1) : SQLITE_ERROR;
   const int code = sqlite3_backup_finish(backup);
-  if (code != SQLITE_OK) fail(file_.string(), copy.connection_, code);
+  if (step != SQLITE_DONE) fail(file_.string(), copy.connection_, code != SQLITE_OK ? code : step);
   return copy;
 }
 

@@ -37,8 +37,13 @@ FileLock::FileLock(std::filesystem::path file) : file_(std::move(file)) {
     // Close-on-exec: a realization's own process must not inherit, and outlive us with, the lock.
     descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (descriptor_ < 0) throw Error(refusal(file_, "cannot be created", errno));
-    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-      const int why = errno;
+    // A reader that asks is_held() has it for a moment.
+    int why = flock(descriptor_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+    for (int again = 0; again < 5 && why == EWOULDBLOCK; ++again) {
+      usleep(10000);
+      why = flock(descriptor_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+    }
+    if (why != 0) {
       close(descriptor_);
       if (why == EWOULDBLOCK)
         throw Locked(fmt::format("{}: held by {}; wait until that campaign ends, or end it", file_.string(),
@@ -56,6 +61,14 @@ FileLock::FileLock(std::filesystem::path file) : file_(std::move(file)) {
 FileLock::~FileLock() {
   unlink(file_.c_str());  // while still locked, so nobody else can hold this name yet
   close(descriptor_);
+}
+
+bool is_held(const std::filesystem::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return errno != ENOENT;
+  const bool held = flock(descriptor, LOCK_SH | LOCK_NB) != 0;
+  close(descriptor);
+  return held;
 }
 
 }  // namespace cpt::results

@@ -21,4 +21,8 @@ class FileLock {
   int descriptor_ = -1;
 };
 
+/// Whether a FileLock holds the file now, here or elsewhere. Leaves nothing behind; for readers, to whom a
+/// file that cannot be looked at counts as held.
+[[nodiscard]] bool is_held(const std::filesystem::path& file);
+
 }  // namespace cpt::results

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "parameters/designs/one_at_a_time.hpp"
+#include "results/file_lock.hpp"
+#include "results/interrupted.hpp"
 #include "results/ledger_rows.hpp"
 #include "results/matching.hpp"
 #include "results/schema.hpp"
@@ -40,7 +42,10 @@ std::string listed(const std::vector<std::string>& changes) {
 
 }  // namespace
 
-LedgerView view_ledger(const std::filesystem::path& file) { return {open_ledger(file)}; }
+LedgerView view_ledger(const std::filesystem::path& file) {
+  const bool under_way = is_held(file.string() + ".lock");  // before the rows, as read_snapshot
+  return {open_ledger(file), {}, under_way};
+}
 
 LedgerView view_ledger(const parameters::Study& study, const std::string& study_text) {
   LedgerView stored = view_ledger(study.database);
@@ -55,7 +60,7 @@ LedgerView view_ledger(const parameters::Study& study, const std::string& study_
     return stored;
   }
 
-  LedgerView view{stored.database.copy_in_memory()};
+  LedgerView view{stored.database.copy_in_memory(), {}, stored.under_way};
   const Database& database = view.database;
   Transaction transaction(database, Transaction::Kind::write);
   database.execute("PRAGMA defer_foreign_keys = ON");
@@ -88,7 +93,9 @@ LedgerView view_ledger(const parameters::Study& study, const std::string& study_
 
 Snapshot read_snapshot(const LedgerView& view) {
   const Transaction transaction(view.database, Transaction::Kind::read);
-  return read_snapshot(view.database);
+  Snapshot snapshot = read_snapshot(view.database);
+  if (!view.under_way) tell_interrupted(snapshot);
+  return snapshot;
 }
 
 }  // namespace cpt::results

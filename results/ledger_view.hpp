@@ -15,6 +15,7 @@ namespace cpt::results {
 struct LedgerView {
   Database database;  ///< the ledger, read only, or a copy in memory that says what the study says
   std::vector<std::string> notes = {};  ///< how the study differs from what is stored, in sentences
+  bool under_way = true;                ///< a campaign held it when it was opened; else nothing of it runs
 };
 
 /// As it is stored. Throws as read_snapshot.

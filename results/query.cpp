@@ -8,6 +8,7 @@
 
 #include "results/database.hpp"
 #include "results/effects.hpp"
+#include "results/file_lock.hpp"
 #include "results/schema.hpp"
 #include "results/statement_rows.hpp"
 #include "solver/quantities.hpp"
@@ -77,6 +78,17 @@ std::string nearest_in(const Database& database, std::string_view complaint) {
   return meant("no such table: ", tables) + meant("no such column: ", columns);
 }
 
+// What is marked as running in a campaign that nobody runs was running when it ended.
+std::string said_of_now(std::string_view statement, const Database& database) {
+  std::string sql(statement);
+  constexpr std::string_view status = " r.status, wall_s, steps";
+  const std::size_t at = sql.find(status);
+  if (at == std::string::npos || is_held(database.file().string() + ".lock")) return sql;
+  return sql.replace(
+      at, status.size(),
+      " CASE r.status WHEN 'running' THEN 'interrupted' ELSE r.status END AS status, wall_s, steps");
+}
+
 }  // namespace
 
 std::span<const NamedQuery> named_queries() { return questions; }
@@ -95,7 +107,7 @@ Table query(const Database& database, std::string_view name) {
   }
   if (name == "unused" && !has_table(database, "unused")) return {};  // an earlier schema version
   for (std::size_t i = 0; i < statements.size(); ++i)
-    if (questions[i].name == name) return rows_of(database.prepare(statements[i]));
+    if (questions[i].name == name) return rows_of(database.prepare(said_of_now(statements[i], database)));
   std::vector<std::string_view> known;
   for (const NamedQuery& question : questions) known.push_back(question.name);
   const std::string_view near = solver::nearest_name(name, known);

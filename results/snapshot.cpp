@@ -7,6 +7,8 @@
 #include <set>
 
 #include "results/database.hpp"
+#include "results/file_lock.hpp"
+#include "results/interrupted.hpp"
 #include "results/ledger_rows.hpp"
 #include "results/schema.hpp"
 
@@ -125,10 +127,26 @@ void refuse_dangling(const Database& database, const Snapshot& s) {
 
 }  // namespace
 
+void tell_interrupted(Snapshot& s) {
+  for (RealizationRow& row : s.realizations) {
+    if (row.status != "running") continue;
+    row.status = "pending";
+    row.reason = was_interrupted;
+  }
+  constexpr std::string_view running = " run running", interrupted = " run interrupted";
+  for (SensitivityRow& row : s.sensitivity)
+    for (std::size_t at = 0; (at = row.note.find(running, at)) != std::string::npos; at += interrupted.size())
+      row.note.replace(at, running.size(), interrupted);
+}
+
 Snapshot read_snapshot(const std::filesystem::path& file) {
+  // Before the rows: who lets go in between has first written what became of them.
+  const bool under_way = is_held(file.string() + ".lock");
   const Database database = open_ledger(file);
   const Transaction transaction(database, Transaction::Kind::read);
-  return read_snapshot(database);
+  Snapshot snapshot = read_snapshot(database);
+  if (!under_way) tell_interrupted(snapshot);
+  return snapshot;
 }
 
 Snapshot read_snapshot(const Database& database) {

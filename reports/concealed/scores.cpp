@@ -1,6 +1,7 @@
 #include "reports/concealed/scores.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace cpt::reports::concealed {
 namespace {

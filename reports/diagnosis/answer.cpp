@@ -65,6 +65,7 @@ Answer named(const DiagnosisInput& input) {
   const std::string title = capitalized(title_of(input, k));
   return {AnswerKind::named,
           title + " can explain what the simulation lacks.",
+          {},
           {joined({where_it_differs(input),
                    fmt::format("{} can explain the difference ({}): {}.", title, chance(input, k),
                                fitted_parameters(input, k)),
@@ -82,6 +83,7 @@ Answer indistinguishable(const DiagnosisInput& input) {
   const std::string next = next_measurement(input);
   return {AnswerKind::indistinguishable,
           fmt::format("{}: this recording cannot tell which.", capitalized(listed(titles, "or"))),
+          {},
           {joined({where_it_differs(input),
                    "Each of these can explain the difference, and the recording does "
                    "not tell them apart."}),
@@ -105,6 +107,7 @@ Answer nothing_missing(const DiagnosisInput& input) {
   return {AnswerKind::nothing_missing,
           sure ? "Nothing is missing: the study's parameters within their bounds, and noise, are enough."
                : "No firm sign that anything is missing.",
+          {},
           {joined({where_it_differs(input), weight, check_passed(input)}),
            joined({recalibration_error(input), parameters_moved(input)}), joined({next, held_out(input)}),
            prior_widths(input)}};
@@ -120,6 +123,7 @@ Answer none_of_these(const DiagnosisInput& input) {
                         probability(d.hypotheses[*d.best].probability));
   return {AnswerKind::none_of_these,
           "Something is missing that is not in the catalogue.",
+          {},
           {joined({where_it_differs(input), what + ".", recalibration_error(input)}), best_pair(input),
            held_out(input), prior_widths(input)}};
 }
@@ -136,6 +140,7 @@ Answer gate_failed(const DiagnosisInput& input) {
   return {AnswerKind::gate_failed,
           nothing ? "The study's parameters are not enough, and no effect of the catalogue stands out."
                   : "No effect of the catalogue passes the check: something else is missing.",
+          {},
           {joined({where_it_differs(input), what, check_passed(input),
                    fmt::format("Therefore the answer is “{}”.", title_of(input, d.answer))}),
            best_pair(input), joined({held_out(input), solver_confirms(input)}), prior_widths(input)}};
@@ -157,6 +162,7 @@ Answer answer_of(const DiagnosisInput& input) {
                   : d.answer == mechanisms                      ? nothing_missing(input)
                   : mechanisms_in_set(input).size() > 1         ? indistinguishable(input)
                                                                 : named(input);
+  answer.reservations = reservations(input);
   std::erase(answer.paragraphs, "");
   return answer;
 }

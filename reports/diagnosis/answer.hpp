@@ -23,7 +23,8 @@ enum class AnswerKind {
 struct Answer {
   AnswerKind kind;
   std::string headline;
-  std::vector<std::string> paragraphs;  ///< where, what, how well it is proved, what it depends on
+  std::vector<std::string> reservations;  ///< to be read with the headline
+  std::vector<std::string> paragraphs;    ///< where, what, how well it is proved, what it depends on
 };
 
 /// Wants an input that check() accepts.

@@ -30,14 +30,23 @@ std::string intervals_table(const DiagnosisInput& input) {
       "### Mismatch intervals\n\nGreatest step statistic {}, threshold {} (family-wise level {}).\n\n",
       decimals(location.greatest, 1), decimals(location.threshold, 1), brief(input.options.locate.alpha));
   if (location.mismatches.empty()) return text + "None.\n\n";
-  text += table_head({"sounding", "from (m)", "to (m)", "recorded less simulated (%)",
-                      "recorded less simulated (kPa)", "statistic (-)", "p (-)"});
-  for (const diagnosis::Mismatch& m : location.mismatches)
+  text += table_head({"sounding", "from (m)", "to (m)", "recorded over refitted (%)", "cell by cell (%)",
+                      "recorded less refitted (kPa)", "step of the scan (%)", "statistic (-)", "p (-)"});
+  for (const diagnosis::Mismatch& m : location.mismatches) {
+    const diagnosis::Departure above = departure(input, m);
     text += table_line(
         {m.sounding < 0 ? "all" : markdown(input.soundings[static_cast<std::size_t>(m.sounding)].name),
-         decimals(m.from, 3), decimals(m.to, 3), decimals(m.percent, 1), brief(m.step / 1e3),
-         decimals(m.statistic, 1), m.p < 0.001 ? "< 0.001" : decimals(m.p, 3)});
-  return text + "\n";
+         decimals(m.from, 3), decimals(m.to, 3), decimals(above.percent, 1),
+         fmt::format("{} to {}", decimals(above.least, 0), decimals(above.greatest, 0)),
+         brief(above.difference / 1e3), decimals(percent_of(m.size), 1), decimals(m.statistic, 1),
+         m.p < 0.001 ? "< 0.001" : decimals(m.p, 3)});
+  }
+  return text +
+         "\nRecorded over refitted: mean over the interval of what the figures show there, above (+) or "
+         "below "
+         "(−) the simulation with the study's parameters refitted. Step of the scan: what the statistic "
+         "tests, "
+         "a step that is missing beside whatever the parameters do with it; its sign may be another.\n\n";
 }
 
 std::string fitted_parameters_table(const DiagnosisInput& input) {

@@ -12,6 +12,11 @@ VectorXd percent_above(const VectorXd& recorded, const VectorXd& simulated) {
   return (recorded - simulated).unaryExpr([](double x) { return percent_of(x); });
 }
 
+diagnosis::Departure departure(const DiagnosisInput& input, const diagnosis::Mismatch& interval) {
+  return diagnosis::departure_on(input.diagnosis.cells, input.recorded, input.diagnosis.recalibrated.curve,
+                                 interval);
+}
+
 double rmse(const VectorXd& a, const VectorXd& b) {
   double sum = 0.0;
   int count = 0;

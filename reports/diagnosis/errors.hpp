@@ -3,12 +3,18 @@
 
 #include <optional>
 
+#include "diagnosis/departure.hpp"
 #include "reports/diagnosis/input.hpp"
 
 namespace cpt::reports::diagnosed {
 
 /// Recorded over simulated q_c, less one, in each cell [%].
 [[nodiscard]] VectorXd percent_above(const VectorXd& recorded, const VectorXd& simulated);
+
+/// How far the recording lies from the study's refitted simulation on an interval: the mean of what the
+/// figures draw there. Sentences, shades and tables all ask this.
+[[nodiscard]] diagnosis::Departure departure(const DiagnosisInput& input,
+                                             const diagnosis::Mismatch& interval);
 
 /// Root of the mean square difference [ln q_c] over the cells where both are finite; NaN without any.
 [[nodiscard]] double rmse(const VectorXd& a, const VectorXd& b);

@@ -49,6 +49,7 @@ Json answer_part(const DiagnosisInput& input) {
           {"winner_before_check", d.hypotheses[d.winner].name},
           {"set", list_of(d.set, [&](std::size_t k) { return d.hypotheses[k].name; })},
           {"headline", answer.headline},
+          {"reservations", answer.reservations},
           {"paragraphs", answer.paragraphs}};
 }
 
@@ -122,13 +123,16 @@ Json held_out_part(const diagnosis::HeldOutGain& gain) {
           {"interval_90", {gain.lower, gain.upper}}};
 }
 
-Json mismatch(const diagnosis::Mismatch& m) {
+Json mismatch(const DiagnosisInput& input, const diagnosis::Mismatch& m) {
+  const diagnosis::Departure above = departure(input, m);
   return {{"sounding", m.sounding},
           {"from_m", m.from},
           {"to_m", m.to},
-          {"size_ln", m.size},
-          {"percent", m.percent},
-          {"step_Pa", m.step},
+          {"above_refitted_percent", above.percent},
+          {"above_refitted_least_percent", above.least},
+          {"above_refitted_greatest_percent", above.greatest},
+          {"above_refitted_Pa", above.difference},
+          {"scan_step_ln", m.size},
           {"statistic", m.statistic},
           {"p", m.p}};
 }
@@ -158,10 +162,11 @@ std::string diagnosis_json(const DiagnosisInput& input) {
                 {"log_evidence", h.log_evidence},
                 {"probability", h.probability}};
   });
-  all["location"] = {{"threshold", d.location.threshold},
-                     {"greatest", d.location.greatest},
-                     {"p", d.location.p},
-                     {"mismatches", list_of(d.location.mismatches, mismatch)}};
+  all["location"] = {
+      {"threshold", d.location.threshold},
+      {"greatest", d.location.greatest},
+      {"p", d.location.p},
+      {"mismatches", list_of(d.location.mismatches, [&](const auto& m) { return mismatch(input, m); })}};
   all["mechanisms"] = Json::array();
   for (std::size_t k = 0; k < input.mechanisms.size(); ++k)
     all["mechanisms"].push_back(mechanism_part(input, k));

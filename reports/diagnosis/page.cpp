@@ -11,6 +11,8 @@ namespace cpt::reports::diagnosed {
 std::string page(const DiagnosisInput& input, const std::vector<LinkedFigure>& figures) {
   const Answer answer = answer_of(input);
   std::string text = fmt::format("# {}\n\n**{}**\n\n", markdown(input.title), markdown(answer.headline));
+  for (const std::string& reservation : answer.reservations)
+    text += fmt::format("*{}*\n\n", markdown(reservation));
   for (const std::string& paragraph : answer.paragraphs) text += markdown(paragraph) + "\n\n";
   text += "## Figures\n\n";
   for (const LinkedFigure& figure : figures)

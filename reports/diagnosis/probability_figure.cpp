@@ -1,8 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "reports/axis.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/diagnosis/figures.hpp"
+#include "reports/diagnosis/sentences.hpp"
 #include "reports/diagnosis/words.hpp"
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
@@ -22,6 +25,7 @@ std::string probability_figure(const DiagnosisInput& input) {
   Svg svg(label_room + plot_width + value_room, plot.bottom() + 60.0, "probability");
   const Axis across{0.0, 1.0, plot.x, plot.right()};
   draw_horizontal(svg, plot, across, Edge::bottom, plain("probability (-)"), 5);
+  const bool full = stands_alone(input);
   double y = top;
   for (const std::size_t k : by_probability(input, d.hypotheses.size())) {
     const diagnosis::Hypothesis& h = d.hypotheses[k];
@@ -31,8 +35,10 @@ std::string probability_figure(const DiagnosisInput& input) {
     svg.text({plot.x - 6.0, middle + 0.36 * label_size},
              plain(shortened(title_of(input, k), label_room - 14.0, label_size, answer)),
              {.size = label_size, .anchor = Anchor::end, .bold = answer});
-    svg.rectangle({plot.x, middle - 0.5 * bar_height, across(h.probability) - plot.x, bar_height},
-                  mechanism ? palette::vermillion : palette::blue, answer ? 1.0 : 0.55);
+    const Box bar{plot.x, middle - 0.5 * bar_height, across(h.probability) - plot.x, bar_height};
+    const std::string_view color = mechanism ? palette::vermillion : palette::blue;
+    svg.rectangle(bar, color, answer && full ? 1.0 : 0.3);
+    if (std::ranges::find(d.set, k) != d.set.end()) svg.frame(bar, {color, 1.2, {}});
     svg.line({across(h.prior), middle - 0.5 * row_height + 1.5},
              {across(h.prior), middle + 0.5 * row_height - 1.5}, {palette::ink, 1.3, {}});
     svg.text({plot.right() + 6.0, middle + 0.36 * label_size}, plain(probability(h.probability)),
@@ -40,7 +46,9 @@ std::string probability_figure(const DiagnosisInput& input) {
     y += row_height;
   }
   svg.frame(plot, {palette::ink, 0.6, {}});
-  draw_heading(svg, "Probability of each explanation", plain("bold: the answer, after the predictive check"));
+  draw_heading(svg, "Probability of each explanation",
+               plain(fmt::format("bold: the answer, after the predictive check; framed: not ruled out{}",
+                                 full ? "" : "; no full bar: see the reservations")));
   const double bottom = plot.bottom() + 48.0;
   Legend(svg, 12.0, bottom, 150.0).patch(plain("effect of the catalogue"), palette::vermillion);
   Legend(svg, 182.0, bottom, 180.0).patch(plain("nothing, or something else"), palette::blue);

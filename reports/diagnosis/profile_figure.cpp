@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/depth_plot.hpp"
 #include "reports/diagnosis/figures.hpp"
 #include "reports/diagnosis/sounding_panels.hpp"
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
+#include "results/push_start.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
@@ -32,38 +32,43 @@ double greatest(const DiagnosisInput& input) {
   return most > 0.0 ? 1.08 * most : 1.0;
 }
 
-void draw_curve(Svg& svg, const Curve& curve, const Axis& across, const Axis& depth, const Pen& pen) {
+void draw_curve(Svg& svg, const Curve& curve, const Axis& across, const Axis& depth, const Pen& pen,
+                std::size_t first = 0) {
   std::vector<Point> points;
-  for (std::size_t i = 0; i < curve.depth.size(); ++i)
+  for (std::size_t i = first; i < curve.depth.size(); ++i)
     points.push_back({across(curve.q_c[i] / kPa), depth(curve.depth[i])});
   svg.polyline(points, pen);
+}
+
+// A simulated curve without the start of its push, which no recording holds.
+void draw_simulated(Svg& svg, const Curve& curve, const Axis& across, const Axis& depth, const Pen& pen) {
+  draw_curve(svg, curve, across, depth, pen, results::bins_of_start({curve.depth, curve.q_c, {}}));
 }
 
 VectorXd in_kPa(const VectorXd& ln) {
   return ln.unaryExpr([](double x) { return std::exp(x) / kPa; });
 }
 
-void draw_legend(Svg& svg, const DiagnosisInput& input, const SoundingPanels& panels) {
-  const double half = std::min(260.0, 0.5 * (panels.width() - 20.0));
-  Legend curves(svg, 12.0, panels.legend_top(), half - 6.0);
-  curves.line(plain("recording"), recorded_pen);
-  curves.line(plain("simulation, baseline"), baseline_pen);
-  curves.line(plain("study's parameters refitted"), null_pen);
-  Legend others(svg, 12.0 + half, panels.legend_top(), half - 6.0);
+FlowLegend legend_of(const DiagnosisInput& input) {
+  FlowLegend legend;
+  legend.line(plain("recording"), recorded_pen);
+  legend.line(plain("simulation, baseline"), baseline_pen);
+  legend.line(plain("study's parameters refitted"), null_pen);
   if (input.diagnosis.best) {
-    others.line(plain("with the best effect (emulator)"), mechanism_pen);
+    legend.line(plain("with the best effect (emulator)"), mechanism_pen);
     if (std::ranges::any_of(input.soundings, [](const Sounding& s) { return s.solver.has_value(); }))
-      others.line(plain("with the best effect (full solver)"), solver_pen);
-    add_rivals(others, input);
+      legend.line(plain("with the best effect (full solver)"), solver_pen);
+    add_rivals(legend, input);
   }
-  add_intervals(others, input);
+  add_intervals(legend, input);
+  return legend;
 }
 
 }  // namespace
 
 std::string profile_figure(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
-  const SoundingPanels panels(input, 190.0, 380.0, 56.0 + legend_of_rivals(input));
+  const SoundingPanels panels(input, 190.0, 380.0, legend_of(input));
   Svg svg(panels.width(), panels.height(), "profile");
   const double most = greatest(input);
   const VectorXd null = in_kPa(d.recalibrated.curve);
@@ -74,21 +79,19 @@ std::string profile_figure(const DiagnosisInput& input) {
     const Axis across{0.0, most, box.x, box.right()}, depth = panels.depth(s);
     panels.draw_ground(svg, s, across, symbolic("q_c (kPa)"));
     svg.begin_clip(box);
-    draw_curve(svg, input.soundings[s].baseline, across, depth, baseline_pen);
+    draw_simulated(svg, input.soundings[s].baseline, across, depth, baseline_pen);
     draw_curve(svg, input.soundings[s].recorded, across, depth, recorded_pen);
     svg.polyline(cell_line(input, s, null, across, depth), null_pen);
     for (std::size_t k = 0; k < others.size(); ++k)
       svg.polyline(cell_line(input, s, in_kPa(d.with[others[k]].curve), across, depth), rival_pen(k));
     if (d.best) svg.polyline(cell_line(input, s, with, across, depth), mechanism_pen);
-    if (input.soundings[s].solver) draw_curve(svg, *input.soundings[s].solver, across, depth, solver_pen);
+    if (input.soundings[s].solver) draw_simulated(svg, *input.soundings[s].solver, across, depth, solver_pen);
     svg.end_clip();
     svg.frame(box, {palette::ink, 0.6, {}});
   }
   draw_heading(svg, shortened("Cone resistance: recorded and simulated", panels.width() - 16.0, 10.0, true),
-               d.best
-                   ? plain(shortened("best effect: " + title_of(input, *d.best), panels.width() - 16.0, 8.0))
-                   : plain("no effect was tried"));
-  draw_legend(svg, input, panels);
+               plain(shortened(best_effect_line(input), panels.width() - 16.0, 8.0)));
+  panels.draw_legend(svg);
   return svg.document("Cone resistance of " + input.title);
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/depth_plot.hpp"
 #include "reports/diagnosis/errors.hpp"
 #include "reports/diagnosis/figures.hpp"
 #include "reports/diagnosis/sounding_panels.hpp"
@@ -33,6 +32,17 @@ Residuals residuals_of(const DiagnosisInput& input) {
   return r;
 }
 
+FlowLegend legend_of(const DiagnosisInput& input, const Residuals& r) {
+  FlowLegend legend;
+  legend.line(plain("before: parameters refitted"), before_pen);
+  if (r.after.size() > 0) legend.line(plain("after: with the best effect (emulator)"), after_pen);
+  if (r.solver.size() > 0) legend.line(plain("after: with the best effect (full solver)"), solver_pen);
+  add_rivals(legend, input);
+  legend.patch(plain("± 2 standard deviations of noise"), noise_fill);
+  add_intervals(legend, input);
+  return legend;
+}
+
 Range extent(const Residuals& r) {
   double low = -5.0, high = 5.0;  // [%] a good fit must not look rough
   for (const VectorXd* v : {&r.before, &r.after, &r.solver})
@@ -61,9 +71,9 @@ void draw_noise(Svg& svg, const DiagnosisInput& input, std::size_t sounding, con
 }  // namespace
 
 std::string residual_figure(const DiagnosisInput& input) {
-  const SoundingPanels panels(input, 190.0, 320.0, 44.0 + legend_of_rivals(input));
-  Svg svg(panels.width(), panels.height(), "residual");
   const Residuals r = residuals_of(input);
+  const SoundingPanels panels(input, 190.0, 320.0, legend_of(input, r));
+  Svg svg(panels.width(), panels.height(), "residual");
   const Range range = extent(r);
   for (std::size_t s = 0; s < input.soundings.size(); ++s) {
     const Box box = panels.box(s);
@@ -81,16 +91,8 @@ std::string residual_figure(const DiagnosisInput& input) {
     svg.frame(box, {palette::ink, 0.6, {}});
   }
   draw_heading(svg, "What is left of the difference",
-               symbolic("q_c, recorded less simulated, in % of simulated; before and after the best effect"));
-  const double half = std::min(260.0, 0.5 * (panels.width() - 20.0));
-  Legend curves(svg, 12.0, panels.legend_top(), half - 6.0);
-  curves.line(plain("before: parameters refitted"), before_pen);
-  if (r.after.size() > 0) curves.line(plain("after: with the best effect (emulator)"), after_pen);
-  if (r.solver.size() > 0) curves.line(plain("after: with the best effect (full solver)"), solver_pen);
-  add_rivals(curves, input);
-  Legend fills(svg, 12.0 + half, panels.legend_top(), half - 6.0);
-  fills.patch(plain("± 2 standard deviations of noise"), noise_fill);
-  add_intervals(fills, input);
+               plain(shortened(best_effect_line(input), panels.width() - 16.0, 8.0)));
+  panels.draw_legend(svg);
   return svg.document("Residuals of " + input.title);
 }
 

@@ -2,17 +2,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "reports/diagnosis/input.hpp"
 
 namespace cpt::reports::diagnosed {
 
-/// Depths, sign, size and significance of the mismatch.
+/// Depths, sign, size and significance of the mismatch: recorded over refitted, as the figures show.
 [[nodiscard]] std::string where_it_differs(const DiagnosisInput& input);
 /// "ΔDr = 14 ± 3 % (meaning) and ℓ = 60 ± 10 mm (meaning)" of a mechanism, without full stop.
 [[nodiscard]] std::string fitted_parameters(const DiagnosisInput& input, std::size_t mechanism);
-/// Parameters at an end of their range, or hardly told by the recording.
+/// Parameters hardly told by the recording.
 [[nodiscard]] std::string weak_parameters(const DiagnosisInput& input, std::size_t mechanism);
+/// Parameters whose best value lies at an end of their range.
+[[nodiscard]] std::string at_ends(const DiagnosisInput& input, std::size_t mechanism);
 /// Result of the winner's predictive check.
 [[nodiscard]] std::string check_passed(const DiagnosisInput& input);
 /// Which study parameters the null moved, and how.
@@ -27,6 +30,11 @@ namespace cpt::reports::diagnosed {
 [[nodiscard]] std::string best_pair(const DiagnosisInput& input);
 /// What to measure next.
 [[nodiscard]] std::string next_measurement(const DiagnosisInput& input);
+/// What must be known beside the headline: a best effect that makes the fit worse, parameters at a bound,
+/// what is not ruled out. Empty where the headline says it all.
+[[nodiscard]] std::vector<std::string> reservations(const DiagnosisInput& input);
+/// One explanation, without reservations: only this is drawn as a full bar.
+[[nodiscard]] bool stands_alone(const DiagnosisInput& input);
 /// Whether other prior widths change the answer.
 [[nodiscard]] std::string prior_widths(const DiagnosisInput& input);
 

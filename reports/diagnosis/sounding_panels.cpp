@@ -1,10 +1,14 @@
 #include "reports/diagnosis/sounding_panels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "reports/diagnosis/errors.hpp"
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
 
@@ -12,15 +16,20 @@ namespace cpt::reports::diagnosed {
 namespace {
 
 constexpr double top = 82.0, left = 48.0, right = 12.0, gap_across = 40.0, gap_down = 56.0;
-constexpr double least_width = 360.0;
+constexpr double least_width = 360.0, legend_left = 12.0;
 constexpr std::size_t most_across = 4;
 constexpr std::string_view above_fill = "#fbe3c0", below_fill = "#d3e9f8";  // light orange and sky
+
+// As the curves of the figure lie, in the mean over the interval.
+bool is_below(const DiagnosisInput& input, const diagnosis::Mismatch& m) {
+  return departure(input, m).percent < 0.0;
+}
 
 }  // namespace
 
 SoundingPanels::SoundingPanels(const DiagnosisInput& input, double panel_width, double panel_height,
-                               double legend_height)
-    : input_(input), panel_width_(panel_width), panel_height_(panel_height) {
+                               FlowLegend legend)
+    : input_(input), legend_(std::move(legend)), panel_width_(panel_width), panel_height_(panel_height) {
   const std::size_t count = input.soundings.size();
   const auto across = static_cast<double>(std::min(count, most_across));
   const auto down = static_cast<double>((count + most_across - 1) / most_across);
@@ -28,7 +37,7 @@ SoundingPanels::SoundingPanels(const DiagnosisInput& input, double panel_width, 
   width_ = std::max(least_width, beside + across * panel_width);
   panel_width_ = (width_ - beside) / across;
   legend_top_ = top + down * panel_height + (down - 1.0) * gap_down + 16.0;
-  height_ = legend_top_ + legend_height;
+  height_ = legend_top_ + legend_.height(width_ - 2.0 * legend_left) + 4.0;
 
   range_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   const auto take = [&](double depth) {
@@ -63,13 +72,17 @@ void SoundingPanels::draw_ground(Svg& svg, std::size_t sounding, const Axis& acr
   for (const diagnosis::Mismatch& m : input_.diagnosis.location.mismatches)
     if (m.sounding < 0 || m.sounding == static_cast<int>(sounding))
       svg.rectangle({b.x, down(m.from), b.width, down(m.to) - down(m.from)},
-                    m.size < 0.0 ? below_fill : above_fill);
+                    is_below(input_, m) ? below_fill : above_fill);
   svg.end_clip();
   draw_horizontal(svg, b, across, Edge::top, title, 4);
   draw_vertical(svg, b, down, sounding % most_across == 0 ? plain("depth (m)") : Rich{}, 8);
   svg.text({b.x + 0.5 * b.width, b.y - 34.0},
            plain(shortened(input_.soundings[sounding].name, b.width, 8.5, true)),
            {.size = 8.5, .anchor = Anchor::middle, .bold = true});
+}
+
+void SoundingPanels::draw_legend(Svg& svg) const {
+  legend_.draw(svg, {legend_left, legend_top_}, width_ - 2.0 * legend_left);
 }
 
 std::vector<Point> cell_line(const DiagnosisInput& input, std::size_t sounding, const VectorXd& values,
@@ -92,22 +105,26 @@ Pen rival_pen(std::size_t k) {
   return {colors[k], 0.9, "3 1.5"};
 }
 
-void add_rivals(Legend& legend, const DiagnosisInput& input) {
+void add_rivals(FlowLegend& legend, const DiagnosisInput& input) {
   const std::vector<std::size_t> others = rivals(input);
   for (std::size_t k = 0; k < others.size(); ++k)
     legend.line(plain("or with: " + title_of(input, others[k])), rival_pen(k));
 }
 
-double legend_of_rivals(const DiagnosisInput& input) {
-  return Legend::pitch * static_cast<double>(rivals(input).size());
+void add_intervals(FlowLegend& legend, const DiagnosisInput& input) {
+  const auto& mismatches = input.diagnosis.location.mismatches;
+  if (std::ranges::any_of(mismatches, [&](const auto& m) { return !is_below(input, m); }))
+    legend.patch(plain("mismatch, recording above"), above_fill);
+  if (std::ranges::any_of(mismatches, [&](const auto& m) { return is_below(input, m); }))
+    legend.patch(plain("mismatch, recording below"), below_fill);
 }
 
-void add_intervals(Legend& legend, const DiagnosisInput& input) {
-  const auto& mismatches = input.diagnosis.location.mismatches;
-  if (std::ranges::any_of(mismatches, [](const auto& m) { return m.size >= 0.0; }))
-    legend.patch(plain("mismatch, recording above"), above_fill);
-  if (std::ranges::any_of(mismatches, [](const auto& m) { return m.size < 0.0; }))
-    legend.patch(plain("mismatch, recording below"), below_fill);
+std::string best_effect_line(const DiagnosisInput& input) {
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  if (!d.best) return "no effect was tried";
+  return fmt::format("best effect{}: {}",
+                     d.with_best.rmse > d.recalibrated.rmse ? " (makes the fit worse)" : "",
+                     title_of(input, *d.best));
 }
 
 }  // namespace cpt::reports::diagnosed

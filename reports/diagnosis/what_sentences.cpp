@@ -33,21 +33,27 @@ std::string fitted_parameters(const DiagnosisInput& input, std::size_t mechanism
 
 std::string weak_parameters(const DiagnosisInput& input, std::size_t mechanism) {
   const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[mechanism];
-  std::vector<std::string> untold, ends;
+  std::vector<std::string> untold;
   const auto& parameters = input.mechanisms[mechanism].parameters;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const auto i = static_cast<Index>(k);
-    if (fit.deviation(i) > vague)
-      untold.push_back(parameters[k].symbol);
-    else if (fit.mode(i) < 0.02 || fit.mode(i) > 0.98)
+    if (fit.deviation(i) > vague) untold.push_back(parameters[k].symbol);
+  }
+  return untold.empty() ? "" : fmt::format("The recording says little about {}.", listed(untold));
+}
+
+std::string at_ends(const DiagnosisInput& input, std::size_t mechanism) {
+  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[mechanism];
+  std::vector<std::string> ends;
+  const auto& parameters = input.mechanisms[mechanism].parameters;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    if (fit.deviation(i) <= vague && (fit.mode(i) < 0.02 || fit.mode(i) > 0.98))
       ends.push_back(parameters[k].symbol);
   }
-  std::string text;
-  if (!untold.empty()) text = fmt::format("The recording says little about {}.", listed(untold));
-  if (!ends.empty())
-    text += fmt::format("{}The best value of {} lies at the end of the range looked at.",
-                        text.empty() ? "" : " ", listed(ends));
-  return text;
+  return ends.empty()
+             ? ""
+             : fmt::format("The best value of {} lies at the end of the range looked at.", listed(ends));
 }
 
 std::string check_passed(const DiagnosisInput& input) {

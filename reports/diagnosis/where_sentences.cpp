@@ -21,6 +21,31 @@ std::string place_of(const DiagnosisInput& input, const diagnosis::Mismatch& m) 
   return fmt::format("In {}, {}", input.soundings[static_cast<std::size_t>(m.sounding)].name, between);
 }
 
+std::string side_of(double value) { return value < 0.0 ? "below" : "above"; }
+
+// "38 % (410 kPa) above"; in kPa only where that has the same sign.
+std::string how_far(const diagnosis::Departure& on) {
+  const std::string size = percent(std::abs(on.percent));
+  if (size == percent(0.0)) return "level with";
+  const bool alike = (on.difference < 0.0) == (on.percent < 0.0);
+  return fmt::format("{}{} {}", size,
+                     alike ? fmt::format(" ({} kPa)", brief(std::abs(on.difference) / 1e3)) : "",
+                     side_of(on.percent));
+}
+
+// What a mean hides: cells on the other side, and a step of the scan that points the other way.
+std::string what_the_mean_hides(const diagnosis::Departure& on, const diagnosis::Mismatch& m) {
+  std::string text;
+  if (on.least <= -0.5 && on.greatest >= 0.5)
+    text = fmt::format(" It lies from {} below to {} above over that interval.", percent(-on.least),
+                       percent(on.greatest));
+  if ((m.size < 0.0) != (on.percent < 0.0))
+    text += fmt::format(
+        " The step that the scan finds missing beside the parameters there is of the other sign ({}).",
+        percent(percent_of(m.size)));
+  return text;
+}
+
 std::string value_of(const StudyParameter& parameter, double place) {
   if (parameter.choices.size() == 2) return parameter.choices[place < 0.5 ? 0 : 1];
   return brief(study_value(parameter, place));
@@ -46,10 +71,11 @@ std::string where_it_differs(const DiagnosisInput& input) {
   std::string text;
   for (std::size_t i = 0; i < std::min(location.mismatches.size(), most_told); ++i) {
     const diagnosis::Mismatch& m = location.mismatches[i];
-    text += fmt::format("{}{} the recording is {} ({} kPa) {} the simulation, {}{}.", i > 0 ? " " : "",
-                        place_of(input, m), percent(std::abs(m.percent)), brief(std::abs(m.step) / 1e3),
-                        m.size < 0.0 ? "below" : "above", p_value(m.p),
-                        i == 0 ? ", after allowing for the study's parameters" : "");
+    const diagnosis::Departure on = departure(input, m);
+    text += fmt::format("{}{} the recording is on average {} the {}simulation{} ({}).{}", i > 0 ? " " : "",
+                        place_of(input, m), how_far(on), i > 0 ? "refitted " : "",
+                        i == 0 ? " with the study's parameters refitted" : "", p_value(m.p),
+                        what_the_mean_hides(on, m));
   }
   if (const std::size_t n = location.mismatches.size(); n > most_told)
     text += fmt::format(" {} more interval{} the table below.", n - most_told,

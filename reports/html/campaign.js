@@ -8,11 +8,10 @@ const runs = data.realizations;
 const run_of = new Map(runs.map((run) => [run.id, run]));
 const baseline = runs.find((run) => run.side === "baseline");
 const parameter_of = new Map(data.parameters.map((p) => [p.name, p]));
-const waiting = (run) => run.status === "pending" || run.status === "running";
+const waiting = (run) => ["pending", "running", "interrupted"].includes(run.status);
 const failed = (run) => !waiting(run) && run.status !== "completed";
 const mean_of = new Map(data.window_means.map((m) => [`${m.realization} ${m.window}`, m]));
 const mean = (run, window) => mean_of.get(`${run.id} ${window.name}`);
-const complete = runs.every((run) => run.status === "completed");
 const label_of = (p) => [...p.label, [p.unit && p.unit !== "-" ? ` (${p.unit})` : "", false]];
 const bound_run = (parameter, side) => runs.find((run) => run.parameter === parameter && run.side === side);
 const indices_in = (window) => data.sensitivity.filter((row) => row.window === window.name);
@@ -20,12 +19,21 @@ const repeats_in = (window) => data.repeat_noise.find((row) => row.window === wi
 const within_noise = (row) => row.above_noise === 0;  // of the repeats; without them SI_noise
 const is_loud = (row) => known(row.si) && !within_noise(row);
 const swing = (row) => Math.abs(row.q_upper_kPa - row.q_lower_kPa);
+/// A bound that has no run is the baseline; an input with neither has nothing to say.
+const has_bound = (row) => Boolean(bound_run(row.parameter, "lower") || bound_run(row.parameter, "upper"));
+const has_design = data.effects.length > 0;
 const has_both = (row) => known(row.q_upper_kPa) && known(row.q_lower_kPa);
+
+/// Whether an input has no index only because its runs, or the baseline, are still to come.
+const to_come = (row) => [baseline, bound_run(row.parameter, "lower"), bound_run(row.parameter, "upper")]
+  .some((run) => run && waiting(run));
+const without_index = (row) => (to_come(row) ? "not run yet" : "× undefined");
+const its_colour = (row) => (to_come(row) ? "var(--muted)" : "var(--warn)");
 
 /// A bound without result: why; nothing where the bound has one or is the baseline.
 function missing(row, side) {
   if (known(row[`q_${side}_kPa`])) return "";
   const run = bound_run(row.parameter, side);
   if (!run) return "";
-  return `${run.value}: ${waiting(run) ? "not run yet" : run.status === "completed" ? "no value" : run.status}`;
+  return `${run.value}: ${run.status === "running" ? "running" : waiting(run) ? "not run yet" : run.status === "completed" ? "no value" : run.status}`;
 }

@@ -34,7 +34,7 @@ function effect_bars(window, drawn) {
   return (width) => {
     const svg = Plot.plot({
       ...frame_of(rows, labels, width),
-      x: { insetRight: 64, label: "q_c", labelAnchor: "center", labelArrow: "none", grid: true, tickSpacing: 60 },
+      x: { insetRight: 64, label: "q_c", labelAnchor: "center", labelArrow: "none", grid: true, tickSpacing: 80 },
       y: { domain: rows.map(key_of), label: null, tickSize: 0, padding: 0.35 },
       marks: [
         Plot.barX(values, { x: "value", y: key_of, fill: (row) => (row.value < 0 ? "var(--vermillion)" : "var(--blue)"), className: "effect" }),

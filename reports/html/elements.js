@@ -26,6 +26,8 @@ function number(value, digits = 4) {
 const decimals = (value, digits) => (known(value) ? minus(value.toFixed(digits)) : "–");
 const percent = (value) => (known(value) ? `${value > 0 ? "+" : ""}${decimals(100 * value, 1)} %` : "–");
 const depths = (window) => `${decimals(window.from_m, 4)}–${decimals(window.to_m, 4)} m`;
+/// UTC as ISO 8601 writes it, to the second: "2026-11-29T18:20:33Z".
+const moment = (text) => (text ? text.replace(/\.\d+Z$/, "Z") : text);
 function duration(seconds) {
   if (seconds < 120) return `${Math.round(seconds)} s`;
   return seconds < 7200 ? `${Math.round(seconds / 60)} min` : `${number(seconds / 3600, 3)} h`;
@@ -63,7 +65,8 @@ function set_labels(svg, group, labels) {
 function put(parent, ...children) {
   parent.append(...children.filter((child) => child !== null && child !== undefined));
 }
-const look_of = (column) => (column.numeric ? "n" : column.long ? "long" : null);
+const look_of = (column) =>
+  [column.numeric && "n", column.long && "long", column.screen && "screen"].filter(Boolean).join(" ") || null;
 const cell = (content, column) => el("td", { class: look_of(column) }, content);
 function table(columns, rows, caption) {
   return el("div", { class: "wide", tabindex: "0", role: "region", "aria-label": caption },

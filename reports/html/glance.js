@@ -1,16 +1,91 @@
 // The campaign at a glance, and its failures.
 "use strict";
 
+/// Why a window has no average of the baseline; the sentence's end.
+function no_baseline(window) {
+  if (window.problem) return window.problem;
+  if (!baseline) return "the study has no baseline";
+  if (baseline.status === "pending") return "the baseline has not been run yet";
+  if (baseline.status === "running") return "the baseline is being run";
+  if (baseline.status === "interrupted") return "the baseline was running when the campaign ended";
+  if (failed(baseline)) return `the baseline failed (${baseline.status}${baseline.reason ? `: ${baseline.reason}` : ""})`;
+  return "the baseline has no value here";
+}
+
+/// Two numbers with as many digits as tell them apart.
+function apart(a, b) {
+  for (let digits = 4; digits < 10; ++digits)
+    if (number(a, digits) !== number(b, digits)) return [number(a, digits), number(b, digits)];
+  return null;
+}
+
+/// What differs by rounding alone does not: such a row has the index 0 or none.
+const varies = (row) => row.si !== 0 && !row.note.includes("does not vary") && apart(row.q_lower_kPa, row.q_upper_kPa) !== null;
+
+/// What changes a window's average most, alone.
+function of_bounds(window) {
+  const all = indices_in(window);
+  const rows = all.filter((row) => has_both(row) && has_bound(row));
+  if (!rows.length) return all.length ? ["No input has results at both of its bounds yet. "] : [];
+  const first = d3.greatest(rows.filter(varies), swing);
+  const some = rows.length < all.length ? `Of the ${rows.length} inputs (of ${all.length}) with results at both bounds, ` : "";
+  if (!first) return [some ? `${some}none changes it. ` : "No input alone changes it: it is the same at all bounds. "];
+  const ends = apart(first.q_lower_kPa, first.q_upper_kPa);
+  const quiet = within_noise(first) ? ", which is within the noise" : "";
+  return [some, rich(parameter_of.get(first.parameter).label), ` ${some ? "alone " : ""}changes it most${some ? "" : " of all inputs alone"}, ` +
+    `from ${ends[0]} kPa at its lower to ${ends[1]} kPa at its upper bound${quiet}. `];
+}
+
+function of_noise(window) {
+  const rows = indices_in(window).filter((row) => has_both(row) && has_bound(row));
+  const loud = rows.filter((row) => is_loud(row) && swing(row) > 0);
+  const repeats = repeats_in(window);
+  if (!rows.some(varies) || !rows.some((row) => known(row.above_noise))) return [];
+  const told = loud.length > 8 ? d3.sort(loud, (row) => -row.si_abs).slice(0, 6) : loud;
+  return [`The index of ${loud.length} of ${rows.length} inputs exceeds the noise of ` +
+    (repeats ? `the baseline's ${repeats.runs - 1} repeats` : "the baseline"),
+    ...told.flatMap((row, k) => [k ? ", " : told === loud ? ": " : ", most that of ", rich(parameter_of.get(row.parameter).label)]), ". ",
+    ...(repeats && rows.some((row) => known(row.above_si_noise))
+      ? ["By the paper's ", rich([["SI", false], ["noise", true]]),
+        `, the spread inside the window, ${rows.filter((row) => row.above_si_noise === 1).length} would. `] : [])];
+}
+
+/// What the design adds: its largest bar, as drawn further down.
+function of_design(window) {
+  if (!has_design) return [];
+  const drawn = drawn_of[data.design] || shares_drawn;
+  const rows = effects_in(window, drawn.bar);
+  const first = d3.greatest(rows.filter((row) => known(row.value)), (row) => Math.abs(row.value));
+  const name = data.design.replaceAll("_", " ");
+  if (!first) {
+    const why = [...new Set(rows.map((row) => row.note).filter((note) => note))];
+    return [`The design (${name}) says nothing yet${why.length ? `: ${why.join("; ")}` : ""}.`];
+  }
+  const interval = known(first.lower) ? `, 95 % interval ${number(first.lower, 3)} to ${number(first.upper, 3)}` : "";
+  const label = rich(label_of_effect(first));
+  if (first.value === 0) return [`Changed together (${name}), no input changes it.`];
+  const fit = data.effects.find((row) => row.window === window.name && row.quantity === "Q2");
+  const doubt = fit && fit.note.includes("not to be believed") ? " The polynomial behind it is not to be believed." : "";
+  const what = { pairs: "act together most: their interaction is", morris: "has the largest elementary effects: their mean size μ* is" }[data.design]
+    || "holds the largest share of its variance, interactions included:";
+  return [`Changed together (${name}), `, label, ` ${what} ${number(first.value, 3)}${first.unit === "-" ? "" : ` ${first.unit}`}${interval}` +
+    `${first.dropped ? `; ${first.dropped} runs are missing` : ""}.${doubt}`];
+}
+
 function glance() {
   const done = runs.filter((run) => run.status === "completed").length;
   const lost = runs.filter(failed).length;
+  const now = runs.filter((run) => run.status === "running").length;
   const fact = (name, value) => el("div", {}, el("dt", {}, name), el("dd", {}, value));
   const seconds = d3.sum(runs, (run) => run.wall_s || 0);
-  const facts = el("dl", { class: "facts" },
+  const facts = el("dl", { class: "facts" });
+  put(facts,
     fact("completed", `${done} of ${runs.length}`),
     lost ? fact("failed", String(lost)) : null,
-    done + lost < runs.length ? fact("still to run", String(runs.length - done - lost)) : null,
+    now ? fact("running", String(now)) : null,
+    done + lost + now < runs.length ? fact("still to run", String(runs.length - done - lost - now)) : null,
     fact("uncertain inputs", String(data.parameters.length)),
+    has_design ? fact("design", data.design.replaceAll("_", " ")) : null,
     fact("computing time", duration(seconds)),
     fact("profile", data.campaign.profile.replaceAll("_", " ")),
     fact("preset", data.campaign.preset));
@@ -19,28 +94,14 @@ function glance() {
   for (const remark of data.remarks) byId("glance").append(el("p", { class: "warn" }, `Note: ${remark}.`));
   for (const window of data.windows) {
     const text = el("p", {}, el("strong", {}, window.name), " ");
-    const rows = indices_in(window).filter(has_both);
+    const mean_here = baseline && mean(baseline, window);
     if (window.problem) text.append(el("span", { class: "warn" }, window.problem));
-    else if (baseline && mean(baseline, window)) {
-      text.append(`(${depths(window)}): the baseline's `, rich(q_c),
-        ` averages ${number(mean(baseline, window).q_c_mean_kPa)} kPa. `);
-      // What differs by rounding alone has the index 0 or none.
-      const first = d3.greatest(rows.filter((row) => row.si !== 0 && !row.note.includes("does not vary")), swing);
-      const loud = rows.filter(is_loud);
-      const repeats = repeats_in(window);
-      const paper = rows.filter((row) => row.above_si_noise === 1).length;
-      const judged = rows.some((row) => known(row.above_noise));
-      if (first)
-        text.append(rich(parameter_of.get(first.parameter).label), ` changes it most, from ` +
-          `${number(first.q_lower_kPa)} kPa at its lower to ${number(first.q_upper_kPa)} kPa at its upper bound${within_noise(first) ? ", which is within the noise" : ""}. `);
-      else if (rows.length) text.append("No input changes it. ");
-      if (first && judged)
-        text.append(`The index of ${loud.length} of ${indices_in(window).length} inputs exceeds the noise of ` +
-          (repeats ? `the baseline's ${repeats.runs - 1} repeats` : "the baseline"),
-          ...loud.flatMap((row, k) => [k ? ", " : ": ", rich(parameter_of.get(row.parameter).label)]), ". ");
-      if (first && judged && repeats && rows.some((row) => known(row.above_si_noise)))
-        text.append(`By the paper's `, rich([["SI", false], ["noise", true]]), `, the spread inside the window, ${paper} would.`);
-    } else text.append("has no baseline yet.");
+    else if (mean_here)
+      put(text, `(${depths(window)}): the baseline's `, rich(q_c), ` averages ${number(mean_here.q_c_mean_kPa)} kPa. `,
+        ...of_bounds(window), ...of_noise(window), ...of_design(window),
+        window.remark ? el("span", { class: "warn" }, ` ${window.remark}`) : null);
+    else put(text, `(${depths(window)}): `, el("span", { class: baseline && waiting(baseline) ? "muted" : "warn" },
+      `nothing to compare with, ${no_baseline(window)}.`));
     byId("glance").append(text);
   }
 }

@@ -10,9 +10,9 @@ function provenance() {
   row("preset", c.preset);
   row("program version", c.program_version);
   row("solver version", c.solver_version);
-  row("campaign begun", c.created);
-  row("newest result", data.newest_result);
-  for (const source of data.imports) row("imported from", `${source.file} (SHA-256 ${source.sha256}), ${source.imported}`);
+  row("campaign begun", moment(c.created));
+  row("newest result", moment(data.newest_result));
+  for (const source of data.imports) row("imported from", `${source.file} (SHA-256 ${source.sha256}), ${moment(source.imported)}`);
   byId("provenance").append(list,
     el("details", {}, el("summary", {}, "Study file"), el("pre", {}, c.study_text)),
     el("details", {}, el("summary", {}, "All inputs of the baseline"), el("pre", {}, c.baseline_setup)),
@@ -20,13 +20,13 @@ function provenance() {
       el("ul", {}, ...data.files.map((file) => el("li", {}, el("a", { href: encodeURIComponent(file) }, file))))),
     el("details", { class: "no-print" }, el("summary", {}, "Licences of the libraries in this page"),
       el("pre", {}, byId("licences").textContent)),
-    el("footer", {}, `Written ${new Date(document.lastModified).toLocaleString()}.`));
+    el("footer", {}, `Written ${moment(new Date(document.lastModified).toISOString())}; all times are UTC.`));
 }
 
 function head() {
   byId("title").textContent = data.campaign.title;
-  byId("state").textContent = `${data.state}${data.newest_result ? `; newest result ${data.newest_result}` : ""}.`;
-  byId("state").classList.toggle("warn", !complete);
+  byId("state").textContent = `${data.state}${data.newest_result ? `; newest result ${moment(data.newest_result)}` : ""}.`;
+  byId("state").classList.toggle("warn", runs.some((run) => failed(run) || run.status === "interrupted"));
   byId("state").after(...data.notes.map((note) => el("p", { class: "warn note" }, `${note}.`)));
   for (const section of document.querySelectorAll("main > section:not([hidden])"))
     byId("contents").append(el("a", { href: `#${section.id}` }, ...[...section.querySelector("h2").cloneNode(true).childNodes]));

@@ -6,6 +6,8 @@ const curves = data.curves.filter((curve) => curve.q_c_kPa.some(known))
 const curve_of = new Map(curves.map((curve) => [curve.realization, curve]));
 const deepest = d3.max(curves, (curve) => d3.max(curve.depth_m)) || 1;
 // A run that blew up must not set the scale, nor do spikes of single bins: they may leave the frame.
+// Leading bins of a curve that hold the start of the push, the cone set to full speed at once: drawn apart.
+const starts_at = (curve) => curve.start || 0;
 const sets_scale = (curve) => curves.length === 1 || run_of.get(curve.realization).status === "completed";
 const looks = [["vermillion", ""], ["blue", "7 3"], ["green", "2 2.5"], ["purple", "9 3 2 3"], ["orange", "14 4"],
                ["sky", "4 2"]];
@@ -85,16 +87,17 @@ function profiles() {
     if (width === 0) return;
     const [top, bottom] = range();
     [from.value, to.value] = [top.toFixed(3), bottom.toFixed(3)];
-    const x = [], y = [], z = [];
+    const x = [], y = [], z = [], starts = [];
     let least = 0, most = 0;
     for (const curve of curves)
       for (let i = 0; i < curve.depth_m.length; ++i) {
         const q = curve.q_c_kPa[i];
-        x.push(known(q) ? q : NaN);
+        if (i <= starts_at(curve) && starts_at(curve)) starts.push({ q, depth: curve.depth_m[i], id: curve.realization });
+        x.push(known(q) && i >= starts_at(curve) ? q : NaN);
         y.push(curve.depth_m[i]);
         z.push(curve.realization);
-        if (sets_scale(curve) && curve.depth_m[i] >= top && curve.depth_m[i] <= bottom) {
-          const around = d3.median(curve.q_c_kPa.slice(Math.max(0, i - 2), i + 3)) ?? 0;
+        if (sets_scale(curve) && i >= starts_at(curve) && curve.depth_m[i] >= top && curve.depth_m[i] <= bottom) {
+          const around = d3.median(curve.q_c_kPa.slice(Math.max(starts_at(curve), i - 2), i + 3)) ?? 0;
           least = Math.min(least, around);
           most = Math.max(most, around);
         }
@@ -114,6 +117,11 @@ function profiles() {
         Plot.ruleY(layers.slice(1), { y: "top_m", stroke: "var(--muted)", strokeDasharray: "6 4" }),
         Plot.text(layers, { y: (layer) => Math.max(layer.top_m, top), frameAnchor: "right", text: "soil", dx: -6, dy: 12,
                             textAnchor: "end", fill: "var(--muted)", stroke: "var(--paper)", strokeWidth: 4 }),
+        Plot.line(starts, { x: "q", y: "depth", z: "id", clip: true, className: "starts", stroke: "var(--faint)", strokeWidth: 0.8,
+                            strokeDasharray: "2 2" }),
+        Plot.text(starts.slice(0, 1).filter((at) => at.depth >= top && at.depth <= bottom), {
+          y: "depth", frameAnchor: "right", text: ["start of the push"], textAnchor: "end", dx: -6, dy: 11, fill: "var(--muted)",
+          stroke: "var(--paper)", strokeWidth: 4 }),
         Plot.line({ length: x.length }, { x, y, z, clip: true, className: "curves" }),
       ],
     });
@@ -178,6 +186,7 @@ function profiles() {
     if (!known(q)) return;
     const base = curve_of.get(baseline?.id), there = base ? q_at(base, shown.depth) : NaN;
     const lines = [`depth ${decimals(shown.depth, 4)} m: ${number(q)} kPa`,
+      shown.depth < (curve.depth_m[starts_at(curve)] ?? 0) ? "start of the push" : "",
       run !== baseline && known(there) ? `${percent(q / there - 1)} of the baseline` : "",
       run.status === "completed" ? "" : `${run.status}: ${run.reason}`].filter((line) => line);
     bubble.append(el("strong", {}, rich(run.label)), ...lines.flatMap((line) => [el("br"), line]));
@@ -250,7 +259,8 @@ function profiles() {
     legend,
     el("figure", {}, plot, el("figcaption", { id: "profile-help" },
       "Point at a curve to read it, click to highlight it, drag over depths to zoom, double-click for the whole depth. " +
-      "Keys: ← → next curve, ↑ ↓ depth, Enter highlight, + − zoom, Esc whole depth. Bands: windows.")),
+      "Keys: ← → next curve, ↑ ↓ depth, Enter highlight, + − zoom, Esc whole depth. Bands: windows." +
+      (curves.some(starts_at) ? " Dashed: the start of the push, where the cone's sudden speed adds to the soil's resistance." : ""))),
     spoken);
   on_width(section, draw);
 }

@@ -10,21 +10,22 @@ function realizations() {
     { name: "status", value: (run) => run.status },
     ...data.windows.flatMap((window) => {
       const many = data.windows.length > 1 ? `, ${window.name}` : "";
+      const screen = data.windows.length > 2;
       return [
         { name: `mean q_c (kPa)${many}`, numeric: true, value: (run) => mean(run, window)?.q_c_mean_kPa,
           show: (run) => number(mean(run, window)?.q_c_mean_kPa, 5) },
-        { name: `to baseline${many}`, numeric: true,
+        { name: `to baseline${many}`, numeric: true, screen,
           value: (run) => (mean(run, window) && base(window) ? mean(run, window).q_c_mean_kPa / base(window).q_c_mean_kPa - 1 : NaN),
           show: (run) => (run === baseline ? "" : percent(columns.find((c) => c.name === `to baseline${many}`).value(run))) },
       ];
     }),
     { name: "time (s)", numeric: true, value: (run) => run.wall_s, show: (run) => decimals(run.wall_s, 1) },
-    { name: "steps", numeric: true, value: (run) => run.steps || null },
+    { name: "steps", numeric: true, screen: true, value: (run) => run.steps || null },
     { name: "energy error", numeric: true, value: (run) => run.energy_error, show: (run) => number(run.energy_error, 2) },
-    { name: "momentum error", numeric: true, value: (run) => run.momentum_error, show: (run) => number(run.momentum_error, 2) },
-    { name: "kinetic energy", numeric: true, value: (run) => run.kinetic_fraction, show: (run) => number(run.kinetic_fraction, 2) },
+    { name: "momentum error", numeric: true, screen: true, value: (run) => run.momentum_error, show: (run) => number(run.momentum_error, 2) },
+    { name: "kinetic energy", numeric: true, screen: true, value: (run) => run.kinetic_fraction, show: (run) => number(run.kinetic_fraction, 2) },
     { name: "out of line", long: true, value: (run) => run.out_of_line },
-    { name: "mass error", numeric: true, value: (run) => run.mass_error, show: (run) => number(run.mass_error, 2) },
+    { name: "mass error", numeric: true, screen: true, value: (run) => run.mass_error, show: (run) => number(run.mass_error, 2) },
     { name: "reason", long: true, value: (run) => run.reason },
   ];
   const state = kept("table", { by: "id", down: false, text: "", status: "" });

@@ -28,30 +28,37 @@ function tornado(window) {
       return { parameter: row.parameter, side, meet, end, right, text: parameter_of.get(row.parameter)[side] };
     });
   });
-  const gaps = rows.map((row) => ({
-    parameter: row.parameter, x: d3.max([row.q_lower_kPa, row.q_upper_kPa, base.q_c_mean_kPa].filter(known)),
-    text: ["lower", "upper"].map((side) => missing(row, side)).filter((text) => text).join(", "),
-  })).filter((gap) => gap.text);
+  // What is missing stands in the half of the frame that the row's own half bar leaves free.
+  const gaps = rows.map((row) => {
+    const words = ["lower", "upper"].map((side) => missing(row, side)).filter((text) => text);
+    const both = words.length === 2 && to_come(row) && words.every((text) => text.endsWith("not run yet"));
+    const beyond = d3.sum(["lower", "upper"], (side) => (known(row[`q_${side}_kPa`]) ? row[`q_${side}_kPa`] - base.q_c_mean_kPa : 0));
+    return { row, parameter: row.parameter, left: beyond > 0, text: both ? "not run yet" : words.join(", ") };
+  }).filter((gap) => gap.text);
   const ends = (right) => Plot.text(halves.filter((half) => half.right === right), {
     x: "end", y: "parameter", text: "text", textAnchor: right ? "start" : "end", dx: right ? 4 : -4,
     fill: "var(--ink)", stroke: "var(--paper)", strokeWidth: 4,
   });
+  // Where nothing varies a scale of no width would fill the frame with bars.
+  const extent = d3.extent([base.q_c_mean_kPa, ...halves.map((half) => half.end)]);
+  const margin = extent[0] < extent[1] ? 0 : Math.max(0.05 * Math.abs(extent[0]), 1e-6);
   return (width) => {
     const room = Math.min(text_width(halves.map((half) => half.text).concat("00")) + 10, 0.2 * width);
     const svg = Plot.plot({
       ...frame_of(rows, labels, width),
-      x: { insetLeft: room, insetRight: room, label: "q_c", labelAnchor: "center", labelArrow: "none", nice: true, tickSpacing: 50, grid: true },
+      x: { domain: [extent[0] - margin, extent[1] + margin], insetLeft: room, insetRight: room, label: "q_c", labelAnchor: "center", labelArrow: "none", nice: true, tickSpacing: 80, grid: true },
       y: { domain: names, label: null, tickSize: 0, padding: 0.35 },
       marks: [
-        Plot.barX([base], { x1: "q_c_min_kPa", x2: "q_c_max_kPa", fill: "var(--band)", inset: 0 }),
+        Plot.barX([base], { x1: "q_c_min_kPa", x2: "q_c_max_kPa", fill: "var(--band)", inset: 0, clip: true }),
         ...["lower", "upper"].map((side) => Plot.barX(halves.filter((half) => half.side === side), {
           x1: "meet", x2: "end", y: "parameter", fill: side === "lower" ? "var(--blue)" : "var(--vermillion)",
           className: side,
         })),
         Plot.ruleX([base.q_c_mean_kPa], { stroke: "var(--ink)", strokeWidth: 1.5 }),
         ends(true), ends(false),
-        Plot.text(gaps, { x: "x", y: "parameter", text: (gap) => `× ${gap.text}`, dx: 24, textAnchor: "start",
-                          fill: "var(--warn)", stroke: "var(--paper)", strokeWidth: 4 }),
+        ...[true, false].map((left) => Plot.text(gaps.filter((gap) => gap.left === left), {
+          frameAnchor: left ? "left" : "right", y: "parameter", text: (gap) => (to_come(gap.row) ? gap.text : `× ${gap.text}`),
+          textAnchor: left ? "start" : "end", fill: (gap) => its_colour(gap.row), stroke: "var(--paper)", strokeWidth: 4 })),
         tip(rows, { y: "parameter", x: (row) => (known(row.q_upper_kPa) ? row.q_upper_kPa : base.q_c_mean_kPa) }),
       ],
     });
@@ -83,7 +90,7 @@ function indices(window) {
         Plot.text(bars, { x: (row) => row.si_abs + half(row), y: "parameter", text: (row) => decimals(row.si, 3), textAnchor: "start", dx: 5,
                           fill: "var(--ink)", stroke: "var(--paper)", strokeWidth: 4 }),
         Plot.text(rows.filter((row) => !known(row.si_abs)), {
-          x: 0, y: "parameter", text: () => "× undefined", textAnchor: "start", dx: 5, fill: "var(--warn)" }),
+          x: 0, y: "parameter", text: without_index, textAnchor: "start", dx: 5, fill: its_colour }),
         Plot.ruleX([0], { stroke: "var(--ink)" }),
         tip(rows, { y: "parameter", x: (row) => row.si_abs || 0 }),
       ],
@@ -103,7 +110,7 @@ function sensitivity() {
     if (!rows.length) continue;
     section.append(el("h3", {}, `${window.name}, ${depths(window)}`));
     if (!baseline || !mean(baseline, window)) {
-      section.append(el("p", { class: "warn" }, window.problem || "The baseline has no result in this window yet."));
+      section.append(el("p", { class: baseline && waiting(baseline) ? "muted" : "warn" }, `Nothing to compare with: ${no_baseline(window)}.`));
       continue;
     }
     const noise = rows.map((row) => row.si_noise).find(known);
@@ -130,7 +137,7 @@ function sensitivity() {
           d3.sort(rows, (row) => (known(row.si_abs) ? -row.si_abs : 1)).map((row) => {
             const p = parameter_of.get(row.parameter);
             return {
-              class: row.note.startsWith("undefined") ? "failed" : within_noise(row) ? "quiet" : null,
+              class: row.note.startsWith("undefined") ? (to_come(row) ? "quiet" : "failed") : within_noise(row) ? "quiet" : null,
               cells: [rich(p.label), p.meaning, p.lower, p.baseline, p.upper, p.unit, number(row.q_lower_kPa, 5),
                       number(row.q_upper_kPa, 5), decimals(row.si, 4), ...(repeats ? [decimals(row.si_half_width, 4)] : []), row.note],
             };

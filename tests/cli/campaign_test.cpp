@@ -50,8 +50,8 @@ std::vector<std::string> gated(const StudyFolder& folder, const std::vector<std:
   for (const std::string& value : values) rules += value + ":wait;";
   return {rules, "CPT_FAKE_GATE=" + folder.file("gate"), "CPT_FAKE_LOG=" + folder.file("first.log")};
 }
-// Two of the six, so that two ranks complete four and are then held up.
-const std::vector<std::string> last_two{"sand.H=75", "sand.D_r_percent=46"};
+// The last two of the six (parameters/run_order.hpp), so that two ranks complete four and are then held up.
+const std::vector<std::string> last_two{"sand.nu=0.1", "sand.nu=0.3"};
 
 TEST(Campaign, WatchedReportFollowsItToItsEnd) {
   const StudyFolder folder;
@@ -170,7 +170,8 @@ class Signalled : public testing::TestWithParam<int> {};
 
 TEST_P(Signalled, StopsCleanlyAndGoesOn) {
   const StudyFolder folder;
-  Background job(campaign(arguments(folder.study(), {"--slots", "1"})), gated(folder, {"sand.H=75"}));
+  Background job(campaign(arguments(folder.study(), {"--slots", "1"})),
+                 gated(folder, {"sand.D_r_percent=46"}));
   ASSERT_TRUE(held_up(folder, 3, 4));
   const std::vector<pid_t> running = children_of(job.pid());
   ::kill(job.pid(), GetParam());
@@ -267,7 +268,8 @@ TEST(Campaign, WorkerToldToStopLeavesItsWorkToTheOthers) {
 
 TEST(Campaign, RealizationToldToEndFromOutsideRunsAgainAtMostThrice) {
   const StudyFolder folder;
-  Background job(campaign(arguments(folder.study(), {"--slots", "1"})), gated(folder, {"sand.H=75"}));
+  Background job(campaign(arguments(folder.study(), {"--slots", "1"})),
+                 gated(folder, {"sand.D_r_percent=46"}));
   for (std::size_t times = 1; times <= 3; ++times) {
     ASSERT_TRUE(held_up(folder, 3, 3 + times));
     ASSERT_TRUE(eventually([&] { return !children_of(job.pid()).empty(); }));
@@ -275,7 +277,7 @@ TEST(Campaign, RealizationToldToEndFromOutsideRunsAgainAtMostThrice) {
   }
   const Result result = job.wait();
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_NE(result.err.find("realization 4 was told to end from outside; it starts again"), std::string::npos)
+  EXPECT_NE(result.err.find("realization 6 was told to end from outside; it starts again"), std::string::npos)
       << result.err;
   EXPECT_NE(result.err.find("crashed after 0 s: told to end from outside 3 times"), std::string::npos)
       << result.err;

@@ -1,4 +1,4 @@
-// What the program writes about itself: docs/reference.md, the exit codes of README.md, the man page.
+// What the program writes about itself: docs/reference.md, the man page, the completion.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,10 +51,20 @@ std::vector<std::string> rows_below(const std::string& page, const std::string& 
   return rows;
 }
 
-TEST(Reference, ReadmeHasTheSameExitCodes) {
-  const auto rows = rows_below(text_of(source / "README.md"), "| exit code | means |");
-  EXPECT_EQ(rows, rows_below(reference(), "| exit code | meaning |"));
-  EXPECT_EQ(rows.size(), 8u);
+TEST(Reference, HasTheExitCodesAndAUsualLineForEveryCommand) {
+  const std::string page = reference();
+  EXPECT_EQ(rows_below(page, "| exit code | meaning |").size(), 8u);
+  std::string usual;
+  for (const std::string& row : rows_below(page, "| command line | does |")) usual += row + "\n";
+  const Result help = run(campaign({"--help"}));
+  std::istringstream lines(help.out.substr(help.out.find("Subcommands:")));
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line) && line.starts_with("  ")) {
+    const std::string name = line.substr(2, line.find(' ', 2) - 2);
+    if (name == "run") continue;  // whose name may be left out
+    EXPECT_NE(usual.find("| campaign " + name + " "), std::string::npos) << name;
+  }
 }
 
 TEST(Reference, KnowsEveryVariableOfTheEnvironmentThatTheSourcesRead) {

@@ -1,10 +1,9 @@
-#include "diagnosis/locate.hpp"
-
 #include <gtest/gtest.h>
 
 #include <boost/math/distributions/beta.hpp>
 #include <chrono>
 
+#include "diagnosis/departure.hpp"
 #include "diagnosis/parameters_prior.hpp"
 #include "tests/diagnosis/toy.hpp"
 
@@ -75,10 +74,29 @@ TEST(Locate, FindsStepsOfEitherSign) {
     const bool upper = found.size > 0.0;
     EXPECT_GT(upper ? overlap(found, 0.1, 0.22) : overlap(found, 0.4, 0.5), 0.7);
     EXPECT_NEAR(std::abs(found.size), 0.25, 0.08);
-    EXPECT_NEAR(found.percent, 100.0 * std::expm1(found.size), 1e-9);
-    EXPECT_EQ(found.step > 0.0, upper);
-    EXPECT_NEAR(found.step / (upper ? 2.8e6 : 4.25e6), std::expm1(found.size), 0.1);
+    const Departure seen = departure_on(cells, null.mean + residual, null.mean, found);
+    EXPECT_EQ(seen.percent > 0.0, upper);
+    EXPECT_NEAR(seen.difference / (upper ? 2.8e6 : 4.25e6), 0.01 * seen.percent, 0.1);
   }
+}
+
+TEST(Locate, ADepartureIsTheMeanOfRecordedOverRefitted) {
+  const std::vector<Cell> cells = cells_of({{0.0, 0.01, 4}, {0.0, 0.01, 4}});
+  VectorXd refitted = VectorXd::Constant(8, std::log(1e6)), recorded = refitted;
+  recorded(1) += std::log(1.5);
+  recorded(2) += std::log(0.9);
+  recorded(5) += std::log(0.6);
+  const Departure one =
+      departure_on(cells, recorded, refitted, {0, 0.01, 0.03, -0.4, -33.0, -3e5, 20.0, 0.001});
+  EXPECT_NEAR(one.percent, 20.0, 1e-9);
+  EXPECT_NEAR(one.least, -10.0, 1e-9);
+  EXPECT_NEAR(one.greatest, 50.0, 1e-9);
+  EXPECT_NEAR(one.difference, 2e5, 1e-3);
+  const Departure all =
+      departure_on(cells, recorded, refitted, {-1, 0.01, 0.03, 0.4, 49.0, 5e5, 20.0, 0.001});
+  EXPECT_NEAR(all.percent, 0.0, 1e-9);
+  EXPECT_TRUE(std::isnan(
+      departure_on(cells, recorded, refitted, {0, 0.5, 0.6, 0.4, 49.0, 5e5, 20.0, 0.001}).percent));
 }
 
 TEST(Locate, LeavesToTheParametersWhatTheyExplain) {

@@ -1,97 +1,24 @@
 // The report's page in a headless Chromium, as a reader meets it. CPT_SCREENSHOTS=FOLDER keeps the pictures.
-#include "tests/reports/browser.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <set>
-#include <thread>
 
 #include "reports/figure_files.hpp"
 #include "reports/page.hpp"
 #include "tests/reports/made_up_campaigns.hpp"
+#include "tests/reports/page_fixture.hpp"
 
 namespace cpt::reports {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
-
-class Page : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (!Browser::installed()) GTEST_SKIP() << "Debian's chromium is not installed";
-    std::string name = (fs::temp_directory_path() / "cpt_page_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
-    browser.emplace(folder);
-  }
-  ~Page() override {
-    browser.reset();
-    std::error_code ignored;
-    if (!folder.empty()) fs::remove_all(folder, ignored);
-  }
-
-  void TearDown() override {
-    if (!browser) return;
-    for (const char* word : {"null", "NaN", "[object"})
-      EXPECT_EQ(value("document.getElementById('main').innerText").get<std::string>().find(word),
-                std::string::npos)
-          << word;
-    for (const std::string& problem : browser->problems()) ADD_FAILURE() << problem;
-  }
-
-  void show(const results::Snapshot& campaign, const PageContext& context = {}) {
-    write_text(folder / "page.html", page(campaign, context));
-    browser->open(folder / "page.html");
-  }
-  json value(const std::string& expression) { return browser->value(expression); }
-  std::string text(const std::string& selector) {
-    return value("document.querySelector(" + json(selector).dump() + ").textContent");
-  }
-  int count(const std::string& selector) {
-    return value("document.querySelectorAll(" + json(selector).dump() + ").length");
-  }
-  /// Where a realization's curve is at a depth, in the window.
-  Browser::At on_curve(int id, double depth) {
-    browser->run(
-        "document.getElementById('profile-plot').scrollIntoView({block: 'center', behavior: 'instant'})");
-    const json at = value("(() => { const path = document.querySelector('path.curve[data-id=\"" +
-                          std::to_string(id) + "\"]'), svg = path.ownerSVGElement, curve = curve_of.get(" +
-                          std::to_string(id) + "), depth = " + std::to_string(depth) + ";" +
-                          R"js(
-           const p = new DOMPoint(svg.scale('x').apply(q_at(curve, depth)), svg.scale('y').apply(depth))
-             .matrixTransform(svg.getScreenCTM());
-           return [p.x, p.y]; })())js");
-    return {at.at(0), at.at(1)};
-  }
-  json depths_shown() {
-    return value("d3.extent(document.querySelector('#profile-plot svg').scale('y').domain)");
-  }
-  /// True once an expression is, within 5 min; over a change of page, too.
-  bool eventually(const std::string& expression) {
-    for (int k = 0; k < 3000; ++k) {
-      try {
-        if (value(expression) == true) return true;
-      } catch (const std::runtime_error&) {
-        // between two pages
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
-    return false;
-  }
-  std::vector<int> rows() {
-    return value("[...document.querySelectorAll('#table tbody tr')].map((row) => Number(row.dataset.id))");
-  }
-
-  fs::path folder;
-  std::optional<Browser> browser;
-};
+namespace fs = std::filesystem;
 
 int id_of(const results::Snapshot& campaign, const std::string& parameter, const std::string& side) {
   for (const auto& run : campaign.realizations)
@@ -315,6 +242,14 @@ TEST_F(Page, FailuresHaveTheirReasonsAndDiagnosesTheirAnswers) {
   EXPECT_NE(text("#diagnosis").find("0.930"), std::string::npos);
   EXPECT_NE(text("#diagnosis").find("−12.0 %"), std::string::npos);
   EXPECT_NE(text("#diagnosis").find("0.02 to 0.06"), std::string::npos);
+  const char* opacity =
+      "Number(document.querySelector('#diagnosis .chance rect').getAttribute('fill-opacity') ?? 1)";
+  EXPECT_EQ(value(opacity), 1.0) << "one explanation without reservations: a full bar";
+  answer.reservations = {"Not ruled out: a looser lens (0.07)."};
+  answer.mismatches[0].percent = std::nan("");
+  show(campaign, {{answer}, {}, 0});
+  EXPECT_NE(text("#diagnosis").find("Not ruled out: a looser lens (0.07)."), std::string::npos);
+  EXPECT_LT(value(opacity).get<double>(), 0.5) << "with reservations an outline";
 }
 
 TEST_F(Page, HostileNamesStayText) {

@@ -5,6 +5,9 @@
 #include <filesystem>
 
 #include "reports/labels.hpp"
+#include "reports/notes.hpp"
+#include "reports/palette.hpp"
+#include "reports/xy_plot.hpp"
 #include "solver/quantities.hpp"
 #include "tests/reports/made_up_campaigns.hpp"
 
@@ -167,6 +170,57 @@ TEST_F(Figures, RepeatsDecideWhatIsPale) {
   EXPECT_EQ(pale(), noise + 2) << "two in the legend";
   for (auto& row : campaign.sensitivity) row.above_noise = false;
   EXPECT_EQ(pale(), campaign.sensitivity.size() + 2);
+}
+
+/// Every curve begins with a blow, as the solver's do.
+results::Snapshot with_start(results::Snapshot campaign, double q_Pa) {
+  for (results::CurveRow& curve : campaign.curves) {
+    auto& p = curve.profile;
+    while (p.depth.front() < 0.0215)
+      for (auto* values : {&p.depth, &p.q_c, &p.f_s}) values->erase(values->begin());
+    p.q_c[0] = q_Pa;
+    p.q_c[1] = 0.4 * q_Pa;
+  }
+  return campaign;
+}
+
+TEST_F(Figures, TheStartOfThePushIsDrawnApartAndSetsNoScale) {
+  const auto plain_campaign = run_made_up(clay_study(folder));
+  const auto campaign = with_start(plain_campaign, 5e6);
+  for (const auto& figure : {profiles_figure(campaign), baseline_figure(campaign)}) {
+    EXPECT_TRUE(has(figure.value(), "start of the push"));
+    EXPECT_FALSE(has(figure.value(), ">1000<")) << "clay of 300 kPa on an axis for the blow";
+  }
+  EXPECT_FALSE(has(profiles_figure(plain_campaign).value(), "start of the push"));
+  const auto dashes = count(profiles_figure(campaign).value(), "stroke-dasharray=\"1.5 1.5\"");
+  EXPECT_EQ(dashes, campaign.curves.size());
+}
+
+TEST_F(Figures, AWindowThatHoldsTheStartOfThePushSaysSo) {
+  auto study = clay_study(folder);
+  study.windows.push_back({"surface", parameters::Window::Kind::fixed, 0.0, 0.03, 0.0});
+  const auto campaign = with_start(run_made_up(study), 5e6);
+  EXPECT_EQ(window_remark(campaign, campaign.windows[0]), "");
+  const std::string remark = window_remark(campaign, campaign.windows[1]);
+  EXPECT_TRUE(has(remark, "holds the start of the push (to 0.0222 m)") || has(remark, "(to 0.0223 m)"))
+      << remark;
+  EXPECT_TRUE(has(remark, "in 12 of 12 curves")) << remark;
+}
+
+TEST_F(Figures, MarksAreNotCutByTheFrame) {
+  XyPlot plot;
+  plot.x_title = plot.y_title = plain("share (%)");
+  plot.room = {{0.0, 0.0}, {100.0, 100.0}};
+  plot.curves.push_back({{{100.0, 100.0}}, {palette::blue, 1.0, {}}, 3.0});
+  Svg svg(300.0, 200.0, "marks");
+  const Box box{50.0, 20.0, 200.0, 140.0};
+  draw(svg, box, plot);
+  const std::string text = svg.document("marks");
+  const auto number_after = [&](std::string_view part) {
+    return std::stod(text.substr(text.find(part) + part.size()));
+  };
+  EXPECT_LE(number_after("cx=\"") + 3.0, box.right());
+  EXPECT_GE(number_after("cy=\"") - 3.0, box.y);
 }
 
 }  // namespace

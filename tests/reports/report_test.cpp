@@ -196,6 +196,28 @@ TEST_F(Report, ShowsWhatTheDesignSays) {
   }
 }
 
+TEST_F(Report, PdfCutsNoNoteReasonOrTitle) {
+  const std::string words =
+      "negative: q_c is larger at the lower bound; noise undefined: only the average of the baseline was "
+      "imported, and aVeryLongWordWithoutAnyBlankInItThatIsWiderThanTheColumnItStandsInSoThatItMustBeBroken";
+  auto campaign = run_made_up(sand_study(folder), {{5, "crashed"}});
+  campaign.campaign.title = "A title that is longer than a line of the page is wide: " + words;
+  campaign.sensitivity[0].note = words;
+  campaign.realizations[4].reason = words;
+  std::string letters;  // of all pages, without blanks and line ends
+  const std::regex text(">([^<>]+)</t(?:ext|span)>");
+  for (const auto& page : supplement(campaign, {}))
+    for (std::sregex_iterator it(page[0].svg.begin(), page[0].svg.end(), text), end; it != end; ++it)
+      for (const char c : (*it)[1].str())
+        if (c != ' ') letters += c;
+  std::string wanted = words;
+  std::erase(wanted, ' ');
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = letters.find(wanted, at)) != std::string::npos; ++at) ++found;
+  EXPECT_EQ(found, 3U) << letters;
+  EXPECT_FALSE(has(letters, "…"));
+}
+
 TEST_F(Report, UnwritableFolderIsNamed) {
   const auto campaign = run_made_up(clay_study(folder));
   std::ofstream(folder / "file") << "in the way";

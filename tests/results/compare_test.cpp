@@ -42,6 +42,38 @@ TEST_F(Compare, WhatOneLacksIsSaid) {
   EXPECT_EQ(notes, (std::map<std::string, std::string>{{"75", "only in a"}, {"60", "only in b"}}));
 }
 
+TEST_F(Compare, AFailedOrWaitingRunIsNotCalledAbsent) {
+  const Snapshot a = run("a", 4e6);
+  parameters::Study study = sand_study(folder);
+  study.name = "b";
+  study.database = folder / "b.sqlite";
+  {
+    Ledger ledger = open(study);
+    ledger.record(1, completed(5e6));
+    ledger.record(2, failed(solver::Status::crashed, "signal 11"));
+    ledger.mark_running(3);
+  }
+  const Snapshot b = read_snapshot(study.database);
+  const auto notes = [](const Table& table) {
+    std::map<std::string, std::string> found;
+    for (const auto& cells : table.rows)
+      if (text(cells[0]) == "deep") found[text(cells[1]) + " " + text(cells[3])] = text(cells[7]);
+    return found;
+  };
+  auto of = notes(compare_means(a, b));
+  EXPECT_EQ(of[" "], "");
+  EXPECT_EQ(of["sand.H 20"], "b failed (crashed)");
+  EXPECT_EQ(of["sand.H 75"], "b interrupted");
+  EXPECT_EQ(of["sand.N 0.3"], "b not run yet");
+  of = notes(compare_means(b, b));
+  EXPECT_EQ(of["sand.H 20"], "a failed (crashed), b failed (crashed)") << "no row is lost in silence";
+  EXPECT_EQ(of.size(), 8U);
+  const Table indices = compare_sensitivity(a, b);
+  const std::string note = text(indices.rows[0].back());
+  EXPECT_NE(note.find("b: undefined: lower run failed (crashed), upper run interrupted"), std::string::npos)
+      << note;
+}
+
 TEST_F(Compare, IndicesAndTheirNoise) {
   const Snapshot a = run("a", 4e6), b = run("b", 5e6);
   const Table table = compare_sensitivity(a, b);

@@ -80,7 +80,8 @@ TEST_F(Query, AWrongStatementIsTheUsersAndToldWithItsPlace) {
 // Its reason stands where its indices would.
 TEST_F(Query, AWindowWithoutAnExtremeIsUndefinedWithItsReason) {
   parameters::Study rising = study;
-  rising.windows[1] = {"peak", parameters::Window::Kind::peak, 0.16, 0.18, 0.010};  // q_c falls all through it
+  rising.windows[1] = {"peak", parameters::Window::Kind::peak, 0.16, 0.18,
+                       0.010};  // q_c falls all through it
   Ledger ledger = open(rising);
   const Table table =
       query_sql(study.database, "SELECT DISTINCT note FROM sensitivity WHERE window = 'peak'");

@@ -2,10 +2,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 
 #include "results/curve_store.hpp"
 #include "results/database.hpp"
+#include "results/interrupted.hpp"
+#include "results/ledger_watch.hpp"
 #include "results/provenance.hpp"
 #include "results/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
@@ -54,6 +57,69 @@ TEST_F(Resume, KilledBetweenRecordsKeepsWhatEndedAndRequeuesWhatRan) {
   EXPECT_EQ(ledger.opened().interrupted, 1);
   EXPECT_EQ(ledger.pending(), (std::vector<int>{3, 4, 5, 6, 7, 8}));
   EXPECT_EQ(ledger.opened().messages.size(), 3u);
+}
+
+TEST_F(Resume, WhatRanWhenTheCampaignEndedIsInterruptedForReaders) {
+  const auto status = [&](int id) {
+    return std::string(
+        status_words(read_snapshot(study.database).realizations[static_cast<std::size_t>(id) - 1]));
+  };
+  const auto asked = [&] { return format(query(study.database, "realizations"), Format::csv); };
+  {
+    Ledger ledger = open(study);
+    ledger.record(1, completed(1e6));
+    ledger.mark_running(3);
+    EXPECT_EQ(status(3), "running") << "the lock is held";
+    EXPECT_NE(asked().find(",running,"), std::string::npos);
+  }
+  in_killed_process([&] {
+    Ledger ledger = open(study);
+    ledger.mark_running(3);
+  });
+  EXPECT_EQ(status(1), "completed");
+  EXPECT_EQ(status(3), "interrupted");
+  EXPECT_EQ(status(4), "pending");
+  EXPECT_EQ(asked().find(",running,"), std::string::npos) << asked();
+  EXPECT_NE(asked().find(",interrupted,"), std::string::npos) << asked();
+  const Snapshot s = read_snapshot(study.database);
+  EXPECT_TRUE(s.realizations[2].waiting());
+  EXPECT_FALSE(s.realizations[2].failed());
+  for (const SensitivityRow& row : s.sensitivity) EXPECT_EQ(row.note.find("running"), std::string::npos);
+  EXPECT_TRUE(std::ranges::any_of(
+      s.sensitivity, [](const auto& row) { return row.note.find("interrupted") != std::string::npos; }));
+  LedgerWatch watch(study.database);
+  EXPECT_TRUE(watch.changed());
+  EXPECT_FALSE(watch.changed());
+  EXPECT_EQ(open(study).opened().interrupted, 1) << "the next start takes it up";
+}
+
+TEST_F(Resume, AWatchNoticesThatACampaignWasKilled) {
+  { const Ledger made = open(study); }
+  int ready[2], end[2];
+  ASSERT_EQ(pipe(ready), 0);
+  ASSERT_EQ(pipe(end), 0);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    Ledger ledger = open(study);
+    ledger.mark_running(1);
+    (void)!write(ready[1], "x", 1);
+    char byte = 0;
+    (void)!read(end[0], &byte, 1);
+    raise(SIGKILL);
+  }
+  char byte = 0;
+  ASSERT_EQ(read(ready[0], &byte, 1), 1);
+  LedgerWatch watch(study.database);
+  EXPECT_TRUE(watch.changed());
+  EXPECT_FALSE(watch.changed());
+  EXPECT_EQ(read_snapshot(study.database).realizations[0].status, "running");
+  ASSERT_EQ(write(end[1], "x", 1), 1);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(watch.changed()) << "nothing was committed, but nobody runs it";
+  EXPECT_TRUE(interrupted(read_snapshot(study.database).realizations[0]));
+  for (const int descriptor : {ready[0], ready[1], end[0], end[1]}) close(descriptor);
 }
 
 TEST_F(Resume, KilledInsideATransactionLeavesNoTraceOfIt) {

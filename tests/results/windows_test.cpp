@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <vector>
+
+#include "results/push_start.hpp"
 
 namespace cpt::results {
 namespace {
@@ -80,6 +83,19 @@ TEST(Windows, AverageOfNoBinIsAProblem) {
   const auto mean = average(profile, {0.41, 0.49});
   ASSERT_FALSE(mean);
   EXPECT_NE(mean.problem.find("0.41"), std::string::npos);
+}
+
+// First bins of a push into sand and of one into clay, as the solver makes them.
+TEST(StartOfThePush, IsWhatFallsSteeplyBeforeTheFirstRise) {
+  const std::vector<double> depth{0.02175, 0.02225, 0.02275, 0.02325, 0.02375, 0.02425};
+  const std::vector<double> none(depth.size(), 0.0);
+  EXPECT_EQ(bins_of_start({depth, {1.71e6, 5.5e5, 4.5e5, 4.54e5, 4.9e5, 5.1e5}, none}), 2U);
+  EXPECT_EQ(bins_of_start({depth, {1.88e6, 1.69e5, 9.8e4, 1.35e5, 1.68e5, 1.47e5}, none}), 2U);
+  EXPECT_EQ(bins_of_start({depth, {4.4e5, 4.5e5, 4.6e5, 4.7e5, 4.6e5, 4.9e5}, none}), 0U) << "rises at once";
+  EXPECT_EQ(bins_of_start({depth, {4.6e5, 4.5e5, 4.6e5, 4.7e5, 4.6e5, 4.9e5}, none}), 0U) << "noise";
+  EXPECT_EQ(bins_of_start({{0.02, 0.03, 0.04}, {3e6, 2e6, 1e6}, {0, 0, 0}}), 0U)
+      << "a soil that softens downward";
+  EXPECT_EQ(bins_of_start({}), 0U);
 }
 
 }  // namespace

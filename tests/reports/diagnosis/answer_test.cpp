@@ -7,6 +7,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "reports/diagnosis/errors.hpp"
+#include "reports/diagnosis/figures.hpp"
+#include "reports/diagnosis/page.hpp"
+#include "reports/diagnosis/sentences.hpp"
+#include "reports/diagnosis/words.hpp"
+#include "reports/text.hpp"
 #include "tests/reports/diagnosis/made_up_diagnosis.hpp"
 
 namespace cpt::reports::diagnosed {
@@ -16,12 +22,26 @@ std::string told(const DiagnosisInput& input) {
   check(input);
   const Answer answer = answer_of(input);
   std::string text = answer.headline;
+  for (const std::string& reservation : answer.reservations) text += "\n" + reservation;
   for (const std::string& paragraph : answer.paragraphs) text += "\n" + paragraph;
   return text;
 }
 
 void expect(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
+}
+
+// Mean of 100 (recorded / refitted - 1) over the cells of a depth interval, as the figure draws them.
+double drawn_mean(const DiagnosisInput& input, double from, double to) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < input.diagnosis.cells.size(); ++i) {
+    const diagnosis::Cell& cell = input.diagnosis.cells[i];
+    if (cell.depth < from || cell.depth > to) continue;
+    const auto row = static_cast<Index>(i);
+    sum += 100.0 * (std::exp(input.recorded(row)) / std::exp(input.diagnosis.recalibrated.curve(row)) - 1.0);
+    ++count;
+  }
+  return sum / count;
 }
 
 void expect_not(const std::string& text, const std::string& part) {
@@ -32,8 +52,8 @@ TEST(DiagnosisAnswer, NamesOneEffectWithPlaceSizeFitAndProof) {
   const std::string text = told(named_case());
   EXPECT_EQ(answer_of(named_case()).kind, AnswerKind::named);
   expect(text,
-         "Between 0.03 and 0.113 m the recording is 38 % (410 kPa) above the simulation, p < 0.001, after "
-         "allowing for the study's parameters.");
+         "Between 0.03 and 0.113 m the recording is on average 9.5 % (165 kPa) above the simulation with the "
+         "study's parameters refitted (p < 0.001).");
   expect(text,
          "Sand compacted near the surface can explain the difference (probability 0.93): ΔDᵣ = 14 ± 3 % "
          "(increase of the relative density at the soil's top) and ℓ = 60 ± 10 mm");
@@ -50,16 +70,104 @@ TEST(DiagnosisAnswer, NamesOneEffectWithPlaceSizeFitAndProof) {
   expect_not(text, "says little");
 }
 
+TEST(DiagnosisAnswer, WhereAndHowMuchAreThoseOfTheFigureWhateverTheScanSays) {
+  for (const double shift : {-0.4, -0.1, 0.06, 0.5})
+    for (const double step : {-0.3, 0.3}) {
+      DiagnosisInput input = named_case();
+      input.diagnosis.recalibrated.curve = input.baseline.array() + shift;
+      input.diagnosis.location.mismatches[0].size = step;
+      const double mean = drawn_mean(input, 0.03, 0.1125);
+      const std::string text = told(input);
+      const std::string side = mean < 0.0 ? "below" : "above";
+      expect(text, "Between 0.03 and 0.113 m the recording is on average " + percent(std::abs(mean)) + " (");
+      expect(text, " kPa) " + side + " the simulation with the study's parameters refitted");
+      const bool against = (step < 0.0) != (mean < 0.0);
+      (against ? expect : expect_not)(text, "is of the other sign (" + percent(percent_of(step)) + ").");
+      const std::string figure = residual_figure(input);
+      expect(figure, "mismatch, recording " + side);
+      expect_not(figure, "mismatch, recording " + std::string(mean < 0.0 ? "above" : "below"));
+      expect(page(input, {}), "| push | 0.030 | 0.113 | " + decimals(mean, 1) + " | ");
+    }
+}
+
+TEST(DiagnosisAnswer, AMeanDoesNotHideTheOtherSide) {
+  DiagnosisInput input = named_case();
+  for (Index i = 4; i < 15; ++i)
+    input.recorded(i) = input.diagnosis.recalibrated.curve(i) + (i < 8 ? std::log(1.1) : std::log(0.6));
+  const std::string text = told(input);
+  expect(text, "below the simulation with the study's parameters refitted");
+  expect(text, "It lies from 40 % below to 10 % above over that interval.");
+  for (Index i = 4; i < 15; ++i) input.recorded(i) = input.diagnosis.recalibrated.curve(i);
+  expect(told(input), "the recording is on average level with the simulation with");
+}
+
+TEST(DiagnosisAnswer, WhatIsNotRuledOutStandsWithTheHeadline) {
+  EXPECT_TRUE(answer_of(named_case()).reservations.empty());
+  DiagnosisInput input = none_of_these_case();
+  input.diagnosis.set = {4, 0, 3};
+  ASSERT_EQ(answer_of(input).reservations.size(), 1U);
+  EXPECT_EQ(
+      answer_of(input).reservations[0],
+      "Not ruled out: sand compacted near the surface (0.10) and that nothing is missing (below 0.001).");
+  input.diagnosis.set = {4, 0, 3, 1, 2};
+  EXPECT_EQ(answer_of(input).reservations[0],
+            "This recording rules nothing out: all 5 explanations stay possible.");
+  input.diagnosis.set = {};
+  EXPECT_EQ(answer_of(input).reservations[0], "No explanation is left: the set of answers is empty.");
+  const std::string text = page(input, {});
+  EXPECT_LT(text.find("the set of answers is empty"), text.find("Between 0.03")) << text;
+}
+
+TEST(DiagnosisAnswer, ABestEffectThatMakesTheFitWorseIsSaidFirst) {
+  DiagnosisInput input = named_case();
+  EXPECT_TRUE(stands_alone(input));
+  input.diagnosis.with_best.curve = input.diagnosis.recalibrated.curve.array() - 0.3;
+  input.diagnosis.with_best.rmse = rmse(input.recorded, input.diagnosis.with_best.curve);
+  std::string text = told(input);
+  expect(text,
+         "With the best effect, sand compacted near the surface, the fit is worse than with the study's "
+         "parameters alone: it leaves an error of " +
+             percent(percent_of(input.diagnosis.with_best.rmse)) + " in place of " +
+             percent(percent_of(input.diagnosis.recalibrated.rmse)));
+  EXPECT_FALSE(stands_alone(input));
+  expect(profile_figure(input), "best effect (makes the fit worse)");
+  expect(probability_figure(input), "no full bar");
+  expect_not(probability_figure(named_case()), "no full bar");
+
+  DiagnosisInput run = named_case();
+  for (double& q : run.soundings[0].solver->q_c) q *= 0.5;
+  text = told(run);
+  expect(text,
+         "Run in the full solver with the best effect, sand compacted near the surface, the fit is worse");
+  DiagnosisInput held = named_case();
+  held.diagnosis.held_out = diagnosis::HeldOutGain{0.1, 0.2, -9.0, -0.5, -0.8, -0.2};
+  expect(told(held),
+         "On depths held out of the fit, sand compacted near the surface predicts worse than nothing.");
+}
+
+TEST(DiagnosisAnswer, BoundsArePressedAgainstAloud) {
+  DiagnosisInput input = named_case();
+  input.diagnosis.with_best.place(0) = 1.0;
+  input.diagnosis.recalibrated.place(1) = 0.0;
+  expect(told(input), "The fit presses against the study's bounds: Dᵣ = 70 %.");
+  DiagnosisInput nothing = nothing_missing_case();
+  nothing.diagnosis.recalibrated.place(1) = 0.0;
+  expect(told(nothing), "The fit presses against the study's bounds: σ'ₕ₀ = 30 kPa.");
+}
+
 TEST(DiagnosisAnswer, NamesSoundingsAndSigns) {
   DiagnosisInput input = named_case(2);
   auto& mismatches = input.diagnosis.location.mismatches;
   mismatches[0].sounding = -1;
   mismatches.push_back({1, 0.2, 0.25, std::log(0.9), -10.0, -95e3, 15.0, 0.021});
+  for (Index i = 40; i < 80; ++i)
+    if (const double z = input.diagnosis.cells[static_cast<std::size_t>(i)].depth; z > 0.2 && z < 0.25)
+      input.recorded(i) = input.diagnosis.recalibrated.curve(i) + std::log(0.9);
   const std::string text = told(input);
   expect(text, "In all soundings, between 0.03 and 0.113 m");
   expect(text,
-         "In push 2, between 0.2 and 0.25 m the recording is 10 % (95 kPa) below the simulation, p = "
-         "0.021.");
+         "In push 2, between 0.2 and 0.25 m the recording is on average 10 % (232 kPa) below the refitted "
+         "simulation (p = 0.021).");
   mismatches.resize(5, mismatches[1]);
   expect(told(input), "2 more intervals are in the table below.");
 }
@@ -68,7 +176,10 @@ TEST(DiagnosisAnswer, SaysWhereAParameterIsWeak) {
   DiagnosisInput input = named_case();
   input.diagnosis.mechanisms[0].deviation(1) = 0.27;
   input.diagnosis.mechanisms[0].mode(0) = 1.0;
-  expect(told(input), "The recording says little about ℓ. The best value of ΔDᵣ lies at the end");
+  const std::string text = told(input);
+  expect(text, "The recording says little about ℓ.");
+  EXPECT_EQ(answer_of(input).reservations,
+            std::vector<std::string>{"The best value of ΔDᵣ lies at the end of the range looked at."});
 }
 
 TEST(DiagnosisAnswer, NothingIsMissingTellsWhatMoved) {

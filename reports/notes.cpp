@@ -1,0 +1,77 @@
+#include "reports/notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/text.hpp"
+#include "results/push_start.hpp"
+
+namespace cpt::reports {
+
+using results::Snapshot;
+
+namespace {
+
+/// The longest beginning of a text, at least one character, that is no wider than the room.
+std::string_view beginning(std::string_view text, double size, double room, bool bold) {
+  std::size_t end = 0;
+  while (end < text.size()) {
+    std::size_t next = end + 1;
+    while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0) == 0x80) ++next;
+    if (end > 0 && width(plain(text.substr(0, next)), size, bold) > room) break;
+    end = next;
+  }
+  return text.substr(0, end);
+}
+
+}  // namespace
+
+std::vector<std::string> wrapped(std::string_view text, double size, double room, bool bold) {
+  std::vector<std::string> lines(1);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    std::string_view word = text.substr(at, end - at);
+    at = end + 1;
+    const std::string longer =
+        lines.back().empty() ? std::string(word) : lines.back() + " " + std::string(word);
+    if (width(plain(longer), size, bold) <= room) {
+      lines.back() = longer;
+      continue;
+    }
+    if (!lines.back().empty()) lines.emplace_back();
+    while (width(plain(word), size, bold) > room && !word.empty()) {
+      const std::string_view part = beginning(word, size, room, bold);
+      lines.back() = part;
+      lines.emplace_back();
+      word.remove_prefix(part.size());
+    }
+    lines.back() = word;
+  }
+  return lines;
+}
+
+std::string moment(std::string_view time) {
+  const std::size_t fraction = time.find('.');
+  return fraction == std::string_view::npos ? std::string(time) : std::string(time.substr(0, fraction)) + "Z";
+}
+
+std::string window_remark(const Snapshot& campaign, const results::WindowRow& window) {
+  std::size_t runs = 0;
+  double deepest = 0.0;  // [m]
+  for (const results::CurveRow& curve : campaign.curves) {
+    const std::size_t start = results::bins_of_start(curve.profile);
+    if (start == 0 || curve.profile.depth[start - 1] < window.from_m || curve.profile.depth[0] > window.to_m)
+      continue;
+    ++runs;
+    deepest = std::max(deepest, curve.profile.depth[start - 1]);
+  }
+  if (runs == 0) return "";
+  return fmt::format(
+      "The window holds the start of the push (to {:.4f} m), where the cone's blow on the soil adds to q_c: "
+      "in {} of "
+      "{} curves the average is too high. Let it begin deeper.",
+      deepest, runs, campaign.curves.size());
+}
+
+}  // namespace cpt::reports
