@@ -28,7 +28,7 @@ happened to: curves byte for byte.
 )";
 
 constexpr const char* bottom = R"(
-Exit codes are those of `README.md`; under mpirun a killed rank shows as 137 (128 + 9), and a stop may show as mpirun's
+Exit codes are those of `reference.md`; under mpirun a killed rank shows as 137 (128 + 9), and a stop may show as mpirun's
 own 1. *Destroyed* counts finished realizations whose bytes the fault itself took, of 12 in each trial; they are run again,
 and nothing else is. Each realization is stored with a checksum, which finds a changed bit. Where the file's structure is
 hit, the campaign keeps it as `NAME.sqlite.damaged`, saves into a new database what is whole, and runs the rest. Only a
