@@ -2,11 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <system_error>
+
 #include "cli/study_argument.hpp"
 #include "parameters/document.hpp"
+#include "results/file_bytes.hpp"
 
 namespace cpt::cli {
 namespace {
+
+constexpr std::size_t largest_input = 64U << 20U;  // [bytes]
 
 // What a kind is called, and which commands take it.
 struct Described {
@@ -42,10 +48,20 @@ InputKind kind_of(std::string_view content) {
                                                                               : InputKind::other;
 }
 
-void expect_kind(InputKind wanted, const std::filesystem::path& file, std::string_view content) {
-  const InputKind kind = kind_of(content);
-  if (kind == wanted || kind == InputKind::other) return;
-  if (wanted == InputKind::plan && kind == InputKind::request) return;  // one that lacks its [cases]
+std::string read_input(InputKind wanted, const std::filesystem::path& file) {
+  std::error_code why;
+  std::optional<std::string> text = results::bytes_of(file, why, largest_input);
+  if (!text) {
+    const std::string cause = why == std::errc::file_too_large
+                                  ? fmt::format("more than {} MiB", largest_input >> 20U)
+                                  : why.message();
+    throw BadInput(
+        fmt::format("{}: cannot be read as {} ({})", file.string(), described(wanted).name, cause));
+  }
+  const InputKind kind = kind_of(*text);
+  // A plan that lacks its [cases] looks like a request.
+  const bool plan_without_cases = wanted == InputKind::plan && kind == InputKind::request;
+  if (kind == wanted || kind == InputKind::other || plan_without_cases) return *std::move(text);
   throw BadInput(fmt::format("{}: is {}, not {}; {}", file.string(), described(kind).name,
                              described(wanted).name, described(kind).commands));
 }

@@ -1,20 +1,12 @@
 #include "cli/plan_file.hpp"
 
-#include <fmt/format.h>
-
-#include <fstream>
-#include <iterator>
-
 #include "cli/input_kind.hpp"
 #include "cli/request_file.hpp"
 
 namespace cpt::cli {
 
 PlanFile read_plan_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream.is_open()) throw BadInput(fmt::format("cannot read the plan {}", file.string()));
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  expect_kind(InputKind::plan, file, text);
+  const std::string text = read_input(InputKind::plan, file);
   PlanFile read;
   const std::filesystem::path study_file = diagnosis::study_of_request(text, file);
   if (!study_file.empty()) {

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "cli/input_kind.hpp"
 #include "diagnosis/read_request.hpp"
 
@@ -36,10 +33,7 @@ StudyFile study_of(const std::filesystem::path& study,
 }
 
 RequestFile read_request_file(const std::filesystem::path& file, const std::filesystem::path& recordings) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream.is_open()) throw BadInput(fmt::format("cannot read the request {}", file.string()));
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  expect_kind(InputKind::request, file, text);
+  const std::string text = read_input(InputKind::request, file);
   const std::filesystem::path study_file = study_of_request(text, file);
   RequestFile asked;
   if (!study_file.empty()) {

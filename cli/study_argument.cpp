@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iterator>
 
 #include "cli/input_kind.hpp"
 #include "parameters/designs/one_at_a_time.hpp"
@@ -23,12 +22,7 @@ bool starts_as_database(const std::filesystem::path& file) {
 }  // namespace
 
 StudyFile read_study_file(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::ifstream stream;
-  if (!std::filesystem::is_directory(file, ignored)) stream.open(file, std::ios::binary);
-  if (!stream.is_open()) throw BadInput(fmt::format("cannot read the study {}", file.string()));
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  expect_kind(InputKind::study, file, text);
+  std::string text = read_input(InputKind::study, file);
   auto parsed = parameters::parse_study(text, file);
   if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
     throw BadInput(parameters::format(*errors));

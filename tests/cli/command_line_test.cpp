@@ -44,7 +44,7 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
   const StudyFolder folder;
   const Bad cases[] = {
       {{"quary"}, "did you mean 'query'?"},
-      {{"/nowhere/x.toml"}, "cannot read the study /nowhere/x.toml"},
+      {{"/nowhere/x.toml"}, "/nowhere/x.toml: cannot be read as a study (No such file or directory)"},
       {{"run"}, "STUDY"},
       {{folder.study(), "--slots", "0"}, "--slots"},
       {{folder.study(), "--no-such-option"}, "--no-such-option"},
@@ -64,6 +64,11 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
       {{"push", folder.study(), "--wall-between", "0.4,0.4"}, "the first depth must be the smaller one"},
       {{"push", folder.study(), "--radial-between", "0.4,0.2"}, "the first depth must be the smaller one"},
       {{"numerics"}, "STUDY|DB is required"},
+      {{"run", "/"}, "/: cannot be read as a study (Is a directory)"},
+      {{"diagnose", "/"}, "/: cannot be read as a request for a diagnosis (Is a directory)"},
+      {{"conceal", "/"}, "/: cannot be read as a plan of concealed cases (Is a directory)"},
+      {{"run", "/dev/zero"}, "/dev/zero: cannot be read as a study (more than 64 MiB)"},
+      {{"query", "/nowhere/x.toml", "failures"}, "cannot be read as a study (No such file or directory)"},
       {{"recording", "/nowhere/a.gef"}, "/nowhere/a.gef: error: found no file that can be read"},
       {{"recording", "a.csv", "--column", "q_c_MPa"}, "must be QUANTITY=NAME"},
       {{"recording", "a.csv", "--column", "q_c_m=qc"}, "'q_c_m' is no quantity; known are depth_m"},

@@ -103,14 +103,14 @@ TEST(Hints, AMissingStudyHidesNothingOfTheRequest) {
   folder.write("d.toml",
                "study = \"none.toml\"\nmechanisms = [\"density_lense\"]\n[options]\nrepeats = 1\n"
                "[[soundings]]\nrecording = \"a.csv\"\nfrom_m = 0.01\nto_m = 0.3\n");
-  expect_refused({{{"diagnose", folder.file("d.toml")}, "cannot read the study"},
+  expect_refused({{{"diagnose", folder.file("d.toml")}, "cannot be read as a study"},
                   {{"diagnose", folder.file("d.toml")}, "did you mean \"density_lens\"?"},
                   {{"diagnose", folder.file("d.toml")}, "options.repeats: 1 must be a whole number"},
                   {{"diagnose", folder.file("d.toml")}, "soundings.from_m: 0.01 m lies within the start"}});
   folder.write("p.toml",
                "study = \"none.toml\"\n[options]\nrepeats = 1\n[cases]\nsingle = 1\n"
                "[[soundings]]\nname = \"a\"\nfrom_m = 0.04\nto_m = 0.3\n");
-  expect_refused({{{"conceal", folder.file("p.toml")}, "cannot read the study"},
+  expect_refused({{{"conceal", folder.file("p.toml")}, "cannot be read as a study"},
                   {{"conceal", folder.file("p.toml")}, "options.repeats: 1 must be a whole number"}});
 }
 
