@@ -9,11 +9,11 @@
 namespace cpt::reports {
 namespace {
 
-constexpr double label_size = 7.5;
-constexpr double title_size = 8.5;
-constexpr double gap = 4.0;
+constexpr double tick_label_size = 7.5;
+constexpr double axis_title_size = 8.5;
+constexpr double label_gap = 4.0;
 constexpr double tick_length = 3.0;
-const Pen grid{palette::grid, 0.4, {}};
+const Pen grid_pen{palette::grid, 0.4, {}};
 const Pen tick_pen{palette::ink, 0.6, {}};
 
 }  // namespace
@@ -50,10 +50,10 @@ std::vector<Tick> ticks_that_fit(const Axis& axis, int count) {
     std::vector<Tick> all = ticks(axis.low, axis.high, count);
     bool fit = true;
     for (std::size_t i = 1; i < all.size(); ++i)
-      fit = fit &&
-            std::abs(axis(all[i].value) - axis(all[i - 1].value)) >
-                0.5 * (width(plain(all[i].label), label_size) + width(plain(all[i - 1].label), label_size)) +
-                    room;
+      fit = fit && std::abs(axis(all[i].value) - axis(all[i - 1].value)) >
+                       0.5 * (width(plain(all[i].label), tick_label_size) +
+                              width(plain(all[i - 1].label), tick_label_size)) +
+                           room;
     if (fit) return all;
   }
   return ticks(axis.low, axis.high, 2);
@@ -67,28 +67,29 @@ void draw_horizontal(Svg& svg, const Box& plot, const Axis& axis, Edge edge, con
   const double out = top ? -1.0 : 1.0;
   for (const Tick& tick : ticks_that_fit(axis, count)) {
     const double x = axis(tick.value);
-    svg.line({x, plot.y}, {x, plot.bottom()}, grid);
+    svg.line({x, plot.y}, {x, plot.bottom()}, grid_pen);
     svg.line({x, y}, {x, y + out * tick_length}, tick_pen);
-    const double base = top ? y - tick_length - gap : y + tick_length + gap + 0.7 * label_size;
-    svg.text({x, base}, plain(tick.label), {.size = label_size, .anchor = Anchor::middle});
+    const double base =
+        top ? y - tick_length - label_gap : y + tick_length + label_gap + 0.7 * tick_label_size;
+    svg.text({x, base}, plain(tick.label), {.size = tick_label_size, .anchor = Anchor::middle});
   }
-  const double away = tick_length + 2.2 * gap + label_size;
-  svg.text({plot.x + 0.5 * plot.width, top ? y - away - 1.0 : y + away + 0.8 * title_size}, title,
-           {.size = title_size, .anchor = Anchor::middle});
+  const double away = tick_length + 2.2 * label_gap + tick_label_size;
+  svg.text({plot.x + 0.5 * plot.width, top ? y - away - 1.0 : y + away + 0.8 * axis_title_size}, title,
+           {.size = axis_title_size, .anchor = Anchor::middle});
 }
 
 void draw_vertical(Svg& svg, const Box& plot, const Axis& axis, const Rich& title, int count) {
   double widest = 0.0;
   for (const Tick& tick : ticks(axis.low, axis.high, count)) {
     const double y = axis(tick.value);
-    svg.line({plot.x, y}, {plot.right(), y}, grid);
+    svg.line({plot.x, y}, {plot.right(), y}, grid_pen);
     svg.line({plot.x - tick_length, y}, {plot.x, y}, tick_pen);
-    svg.text({plot.x - tick_length - 2.0, y + 0.36 * label_size}, plain(tick.label),
-             {.size = label_size, .anchor = Anchor::end});
-    widest = std::max(widest, width(plain(tick.label), label_size));
+    svg.text({plot.x - tick_length - 2.0, y + 0.36 * tick_label_size}, plain(tick.label),
+             {.size = tick_label_size, .anchor = Anchor::end});
+    widest = std::max(widest, width(plain(tick.label), tick_label_size));
   }
-  svg.text({plot.x - tick_length - 2.0 - widest - gap, plot.y + 0.5 * plot.height}, title,
-           {.size = title_size, .anchor = Anchor::middle, .upward = true});
+  svg.text({plot.x - tick_length - 2.0 - widest - label_gap, plot.y + 0.5 * plot.height}, title,
+           {.size = axis_title_size, .anchor = Anchor::middle, .upward = true});
 }
 
 }  // namespace cpt::reports

@@ -11,9 +11,9 @@
 namespace cpt::reports {
 namespace {
 
-constexpr double left = 50.0, right = 14.0, gap = 14.0;
-constexpr double panel_height = 400.0;
-constexpr double least_panel_width = 116.0, least_width = 300.0;
+constexpr double left_margin = 50.0, right_margin = 14.0, panel_gap = 14.0;
+constexpr double depth_panel_height = 400.0;
+constexpr double least_panel_width = 116.0, least_figure_width = 300.0;
 constexpr double bands_width = 30.0;
 constexpr double line_height = 12.5;
 
@@ -77,12 +77,12 @@ void draw_bands(Svg& svg, const DepthPanels& figure, const Box& box, const Axis&
 
 std::string depth_panels(const DepthPanels& figure) {
   const auto count = static_cast<double>(figure.panels.size());
-  const double bands = figure.bands.empty() ? 0.0 : gap + bands_width;
-  const double beside = left + (count - 1.0) * gap + bands + right;
-  const double width = std::max(least_width, beside + count * least_panel_width);
+  const double bands = figure.bands.empty() ? 0.0 : panel_gap + bands_width;
+  const double beside = left_margin + (count - 1.0) * panel_gap + bands + right_margin;
+  const double width = std::max(least_figure_width, beside + count * least_panel_width);
   const double panel_width = (width - beside) / count;
   const double top = 23.0 + line_height * static_cast<double>(figure.lines.size()) + 36.0;
-  Svg svg(width, top + panel_height + 26.0, "recording");
+  Svg svg(width, top + depth_panel_height + 26.0, "recording");
   const double room = width - 20.0;
   double y = 17.0;
   svg.text({10.0, y}, plain(shortened(figure.title, room, 10.0, true)), {.size = 10.0, .bold = true});
@@ -93,14 +93,16 @@ std::string depth_panels(const DepthPanels& figure) {
   const double deepest = figure.depth.empty() ? 1.0 : figure.depth.back();
   const double surface = shallowest > 0.0 && shallowest < 0.05 * deepest ? 0.0 : shallowest;
   const Range down = deepest > surface ? Range{surface, deepest} : widened(surface, deepest, 0.0);
-  const Axis depth{down.low, down.high, top, top + panel_height};
+  const Axis depth{down.low, down.high, top, top + depth_panel_height};
   for (std::size_t i = 0; i < figure.panels.size(); ++i)
     draw_panel(svg, figure, figure.panels[i],
-               {left + static_cast<double>(i) * (panel_width + gap), top, panel_width, panel_height}, depth,
-               i == 0);
+               {left_margin + static_cast<double>(i) * (panel_width + panel_gap), top, panel_width,
+                depth_panel_height},
+               depth, i == 0);
   if (!figure.bands.empty())
-    draw_bands(svg, figure, {width - right - bands_width, top, bands_width, panel_height}, depth);
-  svg.text({10.0, top + panel_height + 16.0}, plain(shortened(figure.note, room, 7.0)),
+    draw_bands(svg, figure, {width - right_margin - bands_width, top, bands_width, depth_panel_height},
+               depth);
+  svg.text({10.0, top + depth_panel_height + 16.0}, plain(shortened(figure.note, room, 7.0)),
            {.size = 7.0, .color = palette::muted});
   return svg.document(figure.title);
 }

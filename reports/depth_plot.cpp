@@ -9,14 +9,11 @@
 #include "reports/notes.hpp"
 #include "reports/palette.hpp"
 #include "reports/push_start_mark.hpp"
+#include "reports/units.hpp"
 #include "results/push_start.hpp"
 
 namespace cpt::reports {
 namespace {
-
-constexpr double kPa = 1.0e3;
-constexpr double glyph_width = 16.0;
-constexpr double text_size = 7.5, line_pitch = 9.0;
 
 /// Median of a value and up to two neighbours on either side: a spike of one or two bins must not set the
 /// scale.

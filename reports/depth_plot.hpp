@@ -41,6 +41,7 @@ class Legend {
   static constexpr double pitch = 13.0;  ///< [pt] from entry to entry
 
  private:
+  static constexpr double glyph_width = 16.0, text_size = 7.5, line_pitch = 9.0;
   void entry(const Rich& text);
   Svg& svg_;
   double x_, y_, width_;

@@ -3,12 +3,6 @@
 #include <utility>
 
 namespace cpt::reports {
-namespace {
-
-constexpr double text_size = 7.5, glyph_gap = 3.0, entry_gap = 11.0, row_pitch = 12.0;
-constexpr double line_glyph = 16.0;
-
-}  // namespace
 
 void FlowLegend::add(double glyph_width, const Rich& text, std::function<void(Svg&, Point)> draw) {
   entries_.push_back({glyph_width, text, std::move(draw)});

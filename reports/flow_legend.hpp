@@ -24,6 +24,8 @@ class FlowLegend {
   void draw(Svg& svg, Point at, double room) const;
 
  private:
+  static constexpr double text_size = 7.5, glyph_gap = 3.0, entry_gap = 11.0, row_pitch = 12.0;
+  static constexpr double line_glyph = 16.0;
   struct Entry {
     double glyph_width;
     Rich text;

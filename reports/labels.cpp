@@ -10,7 +10,7 @@
 namespace cpt::reports {
 namespace {
 
-constexpr double left = 8.0;  // of a figure's heading
+constexpr double heading_left = 8.0;  // of a figure's heading
 constexpr double line_size = 8.0;
 
 }  // namespace
@@ -95,7 +95,9 @@ std::string shortened(std::string_view text, double room, double font_size, bool
 std::string depth_range(double from_m, double to_m) { return fmt::format("{:.4f}–{:.4f} m", from_m, to_m); }
 
 Rich window_line(const results::WindowRow& window, const Rich& what, double figure_width) {
-  return plain(shortened(window.name, figure_width - 2.0 * left - width(what, line_size), line_size)) + what;
+  return plain(
+             shortened(window.name, figure_width - 2.0 * heading_left - width(what, line_size), line_size)) +
+         what;
 }
 
 bool all_completed(const Snapshot& campaign) {
@@ -123,12 +125,13 @@ double draw_heading(Svg& svg, const Snapshot& campaign, std::string_view title,
                     const std::vector<Rich>& lines) {
   constexpr double title_size = 10.0;
   double y = 17.0;
-  svg.text({left, y}, plain(shortened(title, svg.width() - 2.0 * left, title_size, true)),
+  svg.text({heading_left, y}, plain(shortened(title, svg.width() - 2.0 * heading_left, title_size, true)),
            {.size = title_size, .bold = true});
   for (const Rich& line : lines)
-    svg.text({left, y += 12.5}, line, {.size = line_size, .color = palette::muted});
+    svg.text({heading_left, y += 12.5}, line, {.size = line_size, .color = palette::muted});
   if (!all_completed(campaign))
-    svg.text({left, y += 12.5}, plain(state_of(campaign)), {.size = line_size, .color = palette::vermillion});
+    svg.text({heading_left, y += 12.5}, plain(state_of(campaign)),
+             {.size = line_size, .color = palette::vermillion});
   return y + 6.0;
 }
 

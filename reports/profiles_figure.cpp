@@ -16,8 +16,8 @@ namespace {
 using results::RealizationRow;
 using results::Snapshot;
 
-constexpr double legend_width = 130.0;
-constexpr double plot_height = 330.0;
+constexpr double profiles_legend_width = 130.0;
+constexpr double profiles_height = 330.0;
 
 /// Completed realizations by their largest relative distance from the baseline in any window, furthest first.
 std::vector<int> furthest_from_baseline(const Snapshot& campaign, const RealizationRow* baseline,
@@ -57,10 +57,11 @@ std::optional<std::string> profiles_figure(const Snapshot& campaign, Column colu
       static_cast<std::size_t>(std::ranges::any_of(campaign.realizations, &RealizationRow::failed)) +
       static_cast<std::size_t>(campaign.layers.size() > 1));
   const double below = narrow ? Legend::pitch * entries + 8.0 : 0.0;
-  Svg svg(figure_width, 23.0 + 12.5 * lines + 40.0 + plot_height + 14.0 + below, "profiles");
+  Svg svg(figure_width, 23.0 + 12.5 * lines + 40.0 + profiles_height + 14.0 + below, "profiles");
   const double top =
       draw_heading(svg, campaign, campaign.campaign.title, {symbolic("q_c of all realizations over depth")});
-  const Box plot{50.0, top + 36.0, figure_width - 64.0 - (narrow ? 0.0 : legend_width), plot_height};
+  const Box plot{50.0, top + 36.0, figure_width - 64.0 - (narrow ? 0.0 : profiles_legend_width),
+                 profiles_height};
   const DepthPlot axes = whole_profile(campaign, campaign.curves, plot);
   axes.draw_ground(svg, campaign.layers);
 
@@ -83,7 +84,7 @@ std::optional<std::string> profiles_figure(const Snapshot& campaign, Column colu
   axes.draw_frame(svg);
 
   Legend legend{svg, narrow ? plot.x : plot.right() + 12.0, narrow ? plot.bottom() + 14.0 : plot.y + 6.0,
-                narrow ? plot.width : legend_width - 2.0};
+                narrow ? plot.width : profiles_legend_width - 2.0};
   if (base != nullptr) legend.line(plain("baseline"), {palette::ink, 1.4, {}});
   for (std::size_t k = 0; k < marked.size(); ++k) {
     const auto& run = *std::find_if(campaign.realizations.begin(), campaign.realizations.end(),

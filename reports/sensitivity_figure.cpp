@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reports/axis.hpp"
+#include "reports/bar_rows.hpp"
 #include "reports/figures.hpp"
 #include "reports/flow_legend.hpp"
 #include "reports/labels.hpp"
@@ -15,11 +16,7 @@ namespace {
 using results::SensitivityRow;
 using results::Snapshot;
 
-constexpr double row_pitch = 15.5;
-constexpr double bar_height = 9.5;
-constexpr double value_size = 7.0;
-constexpr double label_size = 8.5;
-constexpr double value_room = 44.0;
+constexpr double index_value_room = 44.0;
 
 std::vector<SensitivityRow> sorted_rows(const Snapshot& campaign, const std::string& window) {
   std::vector<SensitivityRow> rows = sensitivity_in(campaign, window);
@@ -29,10 +26,11 @@ std::vector<SensitivityRow> sorted_rows(const Snapshot& campaign, const std::str
   return rows;
 }
 
-void draw_bar(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
+void draw_index(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
   if (!std::isfinite(row.si)) return;
-  svg.rectangle({axis.from, y - 0.5 * bar_height, axis(row.si_abs) - axis.from, bar_height},
-                row.si < 0.0 ? palette::orange : palette::blue, within_noise(row) ? 0.4 : 1.0);
+  svg.rectangle(
+      {axis.from, y - 0.5 * bar_rows::bar_height, axis(row.si_abs) - axis.from, bar_rows::bar_height},
+      row.si < 0.0 ? palette::orange : palette::blue, within_noise(row) ? 0.4 : 1.0);
 }
 
 /// How far the index goes at either end of its interval [-].
@@ -44,34 +42,29 @@ double end_of(const SensitivityRow& row) {
 void draw_interval(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
   if (!std::isfinite(row.si) || !std::isfinite(row.si_half_width)) return;
   const double from = axis(std::max(0.0, row.si_abs - row.si_half_width)), to = axis(end_of(row));
-  const Pen pen{palette::ink, 0.9, {}};
-  svg.line({from, y}, {to, y}, pen);
-  for (const double x : {from, to}) svg.line({x, y - 2.2}, {x, y + 2.2}, pen);
+  bar_rows::draw_whisker(svg, from, to, y);
 }
 
 /// The index behind its bar, or why there is none; kept clear of the noise line.
 void draw_value(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
-  const double base = y + 0.36 * value_size;
+  const double base = y + 0.36 * bar_rows::value_size;
   if (!std::isfinite(row.si)) {
     const double room = axis.to - axis.from - 8.0;
-    svg.text({axis.from + 4.0, base}, plain(shortened("× " + row.note, room, value_size)),
-             {.size = value_size, .color = palette::vermillion, .halo = true});
+    svg.text({axis.from + 4.0, base}, plain(shortened("× " + row.note, room, bar_rows::value_size)),
+             {.size = bar_rows::value_size, .color = palette::vermillion, .halo = true});
     return;
   }
   const Rich text = plain(decimals(row.si, 3));
   double x = axis(end_of(row)) + 3.0;
   const double noise = axis(row.si_noise);
-  if (noise > x - 2.0 && noise < x + width(text, value_size) + 2.0) x = noise + 3.0;
-  svg.text({x, base}, text, {.size = value_size, .halo = true});
+  if (noise > x - 2.0 && noise < x + width(text, bar_rows::value_size) + 2.0) x = noise + 3.0;
+  svg.text({x, base}, text, {.size = bar_rows::value_size, .halo = true});
 }
 
-FlowLegend make_legend(const SensitivityRow& row) {
+FlowLegend sensitivity_legend(const SensitivityRow& row) {
   FlowLegend legend;
-  const auto patch = [](std::string_view fill) {
-    return [fill](Svg& svg, Point at) { svg.rectangle({at.x, at.y - 3.5, 9.0, 7.0}, fill); };
-  };
-  legend.add(9.0, plain("positive"), patch(palette::blue));
-  legend.add(9.0, plain("negative"), patch(palette::orange));
+  bar_rows::add_patch(legend, plain("positive"), palette::blue);
+  bar_rows::add_patch(legend, plain("negative"), palette::orange);
   const bool repeated = std::isfinite(row.si_half_width);
   legend.add(18.0, plain(repeated ? "within the repeats' noise" : "within noise"), [](Svg& svg, Point at) {
     svg.rectangle({at.x, at.y - 3.5, 9.0, 7.0}, palette::blue, 0.4);
@@ -82,11 +75,8 @@ FlowLegend make_legend(const SensitivityRow& row) {
       svg.line(at, {at.x + 16.0, at.y}, {palette::ink, 1.0, "4 2.5"});
     });
   if (repeated)
-    legend.add(12.0, plain("95 %, repeats"), [](Svg& svg, Point at) {
-      svg.line(at, {at.x + 12.0, at.y}, {palette::ink, 0.9, {}});
-      for (const double end : {at.x, at.x + 12.0})
-        svg.line({end, at.y - 2.2}, {end, at.y + 2.2}, {palette::ink, 0.9, {}});
-    });
+    legend.add(12.0, plain("95 %, repeats"),
+               [](Svg& svg, Point at) { bar_rows::draw_whisker(svg, at.x, at.x + 12.0, at.y); });
   return legend;
 }
 
@@ -98,16 +88,16 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   const std::vector<SensitivityRow> rows = sorted_rows(campaign, window.name);
   if (rows.empty() || !std::isfinite(rows.front().si)) return std::nullopt;
   const double noise = rows.front().si_noise;
-  const FlowLegend legend = make_legend(rows.front());
+  const FlowLegend legend = sensitivity_legend(rows.front());
 
   std::vector<Rich> labels;
   double label_width = 0.0;
   for (const SensitivityRow& row : rows) {
     labels.push_back(symbol_of(campaign, parameter_of(campaign, row.parameter)));
-    label_width = std::max(label_width, width(labels.back(), label_size));
+    label_width = std::max(label_width, width(labels.back(), bar_rows::label_size));
   }
   const double lines = all_completed(campaign) ? 1.0 : 2.0;
-  const double plot_height = row_pitch * static_cast<double>(rows.size()) + 4.0;
+  const double plot_height = bar_rows::pitch * static_cast<double>(rows.size()) + 4.0;
   Svg svg(figure_width, 23.0 + 12.5 * lines + 4.0 + plot_height + 50.0 + legend.height(figure_width - 28.0),
           "sensitivity");
   const Rich what = plain(": ") + symbolic("SI = (q_upper − q_lower) / q_upper") +
@@ -120,18 +110,19 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   double largest = std::isfinite(noise) ? noise : 0.0;
   for (const SensitivityRow& row : rows)
     if (std::isfinite(row.si)) largest = std::max(largest, end_of(row));
-  const double high = largest > 0.0 ? largest * plot.width / (plot.width - value_room) : 1.0;
+  const double high = largest > 0.0 ? largest * plot.width / (plot.width - index_value_room) : 1.0;
   const Axis axis{0.0, high, plot.x, plot.right()};
 
   draw_horizontal(svg, plot, axis, Edge::bottom, plain("sensitivity index |SI|"),
                   column == Column::single ? 4 : 6);
-  const auto row_y = [&](std::size_t i) { return plot.y + 2.0 + row_pitch * (static_cast<double>(i) + 0.5); };
-  for (std::size_t i = 0; i < rows.size(); ++i) draw_bar(svg, axis, rows[i], row_y(i));
+  const auto row_y = [&](std::size_t i) {
+    return plot.y + 2.0 + bar_rows::pitch * (static_cast<double>(i) + 0.5);
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) draw_index(svg, axis, rows[i], row_y(i));
   if (std::isfinite(noise))
     svg.line({axis(noise), plot.y}, {axis(noise), plot.bottom()}, {palette::ink, 1.0, "4 2.5"});
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    svg.text({plot.x - 8.0, row_y(i) + 0.34 * label_size}, labels[i],
-             {.size = label_size, .anchor = Anchor::end});
+    bar_rows::draw_label(svg, plot, row_y(i), labels[i]);
     draw_interval(svg, axis, rows[i], row_y(i));
     draw_value(svg, axis, rows[i], row_y(i));
   }

@@ -18,10 +18,10 @@ namespace {
 
 using results::Snapshot;
 
-constexpr double column = 190.0 / 25.4 * 72.0;  // double column of a journal
-constexpr double left = 0.5 * (a4_width - column);
-constexpr double bottom = a4_height - 40.0;
-constexpr double text_size = 9.0, table_size = 7.5;
+constexpr double text_width = 190.0 / 25.4 * 72.0;  // double column of a journal
+constexpr double text_left = 0.5 * (a4_width - text_width);
+constexpr double text_bottom = a4_height - 40.0;
+constexpr double paragraph_size = 9.0, table_size = 7.5;
 
 /// Height of a figure over its width.
 double shape_of(const std::string& svg) {
@@ -36,17 +36,17 @@ double shape_of(const std::string& svg) {
 class Writer {
  public:
   void heading(const std::string& text, double size = 12.0) {
-    const auto lines = wrapped(text, size, column, true);
+    const auto lines = wrapped(text, size, text_width, true);
     need(1.3 * size * static_cast<double>(lines.size()) + 2.0 * size);
     y_ += 6.0;
     for (const std::string& line : lines)
-      svg_.text({left, y_ += 1.2 * size}, plain(line), {.size = size, .bold = true});
+      svg_.text({text_left, y_ += 1.2 * size}, plain(line), {.size = size, .bold = true});
     y_ += 6.0;
   }
   void paragraph(const std::string& text) {
-    for (const std::string& line : wrapped(text, text_size, column)) {
-      need(1.4 * text_size);
-      svg_.text({left, y_ += 1.4 * text_size}, plain(line), {.size = text_size});
+    for (const std::string& line : wrapped(text, paragraph_size, text_width)) {
+      need(1.4 * paragraph_size);
+      svg_.text({text_left, y_ += 1.4 * paragraph_size}, plain(line), {.size = paragraph_size});
     }
     y_ += 4.0;
   }
@@ -62,23 +62,23 @@ class Writer {
     const double below = pitch * static_cast<double>(most - 1);
     need(1.5 * table_size + below + 3.0);
     y_ += 1.5 * table_size;
-    double x = left;
+    double x = text_left;
     for (std::size_t k = 0; k < cells.size(); ++k) {
       for (std::size_t i = 0; i < lines[k].size(); ++i)
         svg_.text({x, y_ + pitch * static_cast<double>(i)}, lines[k][i], {.size = table_size, .bold = bold});
       x += widths[k];
     }
     y_ += below;
-    svg_.line({left, y_ + 3.0}, {left + column, y_ + 3.0},
+    svg_.line({text_left, y_ + 3.0}, {text_left + text_width, y_ + 3.0},
               {bold ? palette::ink : palette::grid, bold ? 0.8 : 0.4, {}});
   }
   void figure(const std::string& svg, const std::string& caption) {
-    const auto lines = wrapped(caption, text_size, column);
-    const double below = 1.4 * text_size * static_cast<double>(lines.size()) + 10.0;
-    const double height = std::min(column * shape_of(svg), bottom - top - below);
+    const auto lines = wrapped(caption, paragraph_size, text_width);
+    const double below = 1.4 * paragraph_size * static_cast<double>(lines.size()) + 10.0;
+    const double height = std::min(text_width * shape_of(svg), text_bottom - top - below);
     y_ += y_ > top ? 12.0 : 0.0;
     need(height + below);
-    placed_.push_back({svg, {left, y_, column, height}});
+    placed_.push_back({svg, {text_left, y_, text_width, height}});
     y_ += height;
     paragraph(caption);
     y_ += 10.0;
@@ -100,7 +100,7 @@ class Writer {
     return lines;
   }
   void need(double height) {
-    if (y_ + height > bottom) new_page();
+    if (y_ + height > text_bottom) new_page();
   }
   void new_page() {
     end_page();
@@ -109,7 +109,7 @@ class Writer {
   }
   void end_page() {
     if (y_ == top && placed_.empty()) return;
-    svg_.text({left + column, a4_height - 22.0}, plain(fmt::format("{}", pages_.size() + 1)),
+    svg_.text({text_left + text_width, a4_height - 22.0}, plain(fmt::format("{}", pages_.size() + 1)),
               {.size = 8.0, .anchor = Anchor::end, .color = palette::muted});
     PdfPage page = {{svg_.document("page"), {0.0, 0.0, a4_width, a4_height}}};
     page.insert(page.end(), placed_.begin(), placed_.end());
@@ -172,7 +172,7 @@ void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& win
         loud_inputs(s, rows)));
   else if (const std::string words = loud_inputs(s, rows); !words.empty())
     out.paragraph(words);
-  const std::vector<double> widths = {58, 42, 44, 42, 68, 68, 42, 38, column - 402};
+  const std::vector<double> widths = {58, 42, 44, 42, 68, 68, 42, 38, text_width - 402};
   out.row({plain("input"), plain("lower"), plain("baseline"), plain("upper"), plain("q lower (kPa)"),
            plain("q upper (kPa)"), plain("SI (-)"), plain("± (-)"), plain("note")},
           widths, true);
@@ -191,7 +191,7 @@ void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& win
 void write_effects(Writer& out, const Snapshot& s, const results::Effects& effects,
                    const results::WindowRow& window) {
   out.heading(fmt::format("Design {}: {}", effects.design, window.name));
-  const std::vector<double> widths = {96, 62, 58, 58, 58, 34, 34, 40, column - 440};
+  const std::vector<double> widths = {96, 62, 58, 58, 58, 34, 34, 40, text_width - 440};
   out.row({plain("input"), plain("quantity"), plain("value"), plain("from (95 %)"), plain("to (95 %)"),
            plain("unit"), plain("used"), plain("dropped"), plain("note")},
           widths, true);
@@ -220,7 +220,7 @@ void write_audit(Writer& out, const Snapshot& s) {
                   "on them say so.",
                   100.0 * results::most_energy_error, 100.0 * results::most_momentum_error,
                   100.0 * results::most_kinetic_fraction));
-  const std::vector<double> widths = {30, 120, 60, 70, 60, column - 340};
+  const std::vector<double> widths = {30, 120, 60, 70, 60, text_width - 340};
   out.row({plain("id"), plain("input"), plain("energy"), plain("momentum"), plain("kinetic"),
            plain("out of line")},
           widths, true);
@@ -264,7 +264,7 @@ std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure
       std::any_of(s.realizations.begin(), s.realizations.end(), [](const auto& run) { return run.failed(); });
   if (any_failed) {
     out.heading("Failed realizations");
-    const std::vector<double> widths = {30, 110, 90, column - 230};
+    const std::vector<double> widths = {30, 110, 90, text_width - 230};
     out.row({plain("id"), plain("input"), plain("status"), plain("reason")}, widths, true);
     for (const auto& run : s.realizations)
       if (run.failed())

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "reports/axis.hpp"
+#include "reports/bar_rows.hpp"
 #include "reports/figures.hpp"
 #include "reports/flow_legend.hpp"
 #include "reports/labels.hpp"
@@ -16,13 +17,9 @@ namespace {
 using results::SensitivityRow;
 using results::Snapshot;
 
-constexpr double row_pitch = 15.5;
-constexpr double bar_height = 9.5;
-constexpr double value_size = 7.0;
 constexpr double value_gap = 3.0;
-constexpr double label_size = 8.5;
 
-struct Bar {
+struct TornadoBar {
   SensitivityRow row;
   Rich label;
   std::string lower_text, upper_text;
@@ -39,8 +36,8 @@ std::string absent(const Snapshot& campaign, const SensitivityRow& row, std::str
                                         : run->status);
 }
 
-std::vector<Bar> make_bars(const Snapshot& campaign, const std::string& window) {
-  std::vector<Bar> bars;
+std::vector<TornadoBar> tornado_bars(const Snapshot& campaign, const std::string& window) {
+  std::vector<TornadoBar> bars;
   for (const SensitivityRow& row : sensitivity_in(campaign, window)) {
     const results::ParameterRow& p = parameter_of(campaign, row.parameter);
     const std::string low = absent(campaign, row, "lower", row.q_lower_kPa, p.lower_text);
@@ -48,27 +45,28 @@ std::vector<Bar> make_bars(const Snapshot& campaign, const std::string& window) 
     bars.push_back({row, symbol_of(campaign, p) + unit_of(p), p.lower_text, p.upper_text,
                     low.empty() || high.empty() ? low + high : low + ", " + high});
   }
-  const auto swing = [](const Bar& bar) {
+  const auto swing = [](const TornadoBar& bar) {
     const double q = std::abs(bar.row.q_upper_kPa - bar.row.q_lower_kPa);
     return std::isfinite(q) ? q : -1.0;
   };
-  std::stable_sort(bars.begin(), bars.end(), [&](const Bar& a, const Bar& b) { return swing(a) > swing(b); });
+  std::stable_sort(bars.begin(), bars.end(),
+                   [&](const TornadoBar& a, const TornadoBar& b) { return swing(a) > swing(b); });
   return bars;
 }
 
 /// q range of all bars, and the room that the texts at their ends want on either side.
-Axis make_axis(const std::vector<Bar>& bars, double q_baseline, double from, double to) {
+Axis tornado_axis(const std::vector<TornadoBar>& bars, double q_baseline, double from, double to) {
   double low = q_baseline;
   double high = q_baseline;
   double room = 0.0;
-  for (const Bar& bar : bars) {
+  for (const TornadoBar& bar : bars) {
     for (const double q : {bar.row.q_lower_kPa, bar.row.q_upper_kPa}) {
       if (!std::isfinite(q)) continue;
       low = std::min(low, q);
       high = std::max(high, q);
     }
-    room =
-        std::max({room, width(plain(bar.lower_text), value_size), width(plain(bar.upper_text), value_size)});
+    room = std::max({room, width(plain(bar.lower_text), bar_rows::value_size),
+                     width(plain(bar.upper_text), bar_rows::value_size)});
   }
   const Range range = widened(low, high, 0.0);
   room = std::min(room + 2.0 * value_gap + 2.0, 0.3 * (to - from));
@@ -76,7 +74,7 @@ Axis make_axis(const std::vector<Bar>& bars, double q_baseline, double from, dou
   return {range.low - room * per_point, range.high + room * per_point, from, to};
 }
 
-void draw_bar(Svg& svg, const Axis& axis, const Bar& bar, double y, double q_baseline) {
+void draw_swing(Svg& svg, const Axis& axis, const TornadoBar& bar, double y, double q_baseline) {
   const double x0 = axis(q_baseline);
   const auto at = [&](double q) { return std::isfinite(q) ? axis(q) : x0; };
   const double lower = at(bar.row.q_lower_kPa);
@@ -86,7 +84,9 @@ void draw_bar(Svg& svg, const Axis& axis, const Bar& bar, double y, double q_bas
   // Each half has its bound's colour; they meet at the baseline, or halfway where the baseline lies outside.
   const double meet = x0 >= left && x0 <= right ? x0 : 0.5 * (left + right);
   const auto part = [&](double end, std::string_view color) {
-    svg.rectangle({std::min(end, meet), y - 0.5 * bar_height, std::abs(end - meet), bar_height}, color);
+    svg.rectangle(
+        {std::min(end, meet), y - 0.5 * bar_rows::bar_height, std::abs(end - meet), bar_rows::bar_height},
+        color);
   };
   part(lower, palette::blue);
   part(upper, palette::vermillion);
@@ -94,7 +94,7 @@ void draw_bar(Svg& svg, const Axis& axis, const Bar& bar, double y, double q_bas
     const double near = x0 < left ? left : right;
     svg.line({x0, y}, {near, y}, {palette::ink, 0.5, "1.5 1.5"});
   }
-  const double base = y + 0.36 * value_size;
+  const double base = y + 0.36 * bar_rows::value_size;
   const bool rising = upper >= lower;
   const bool has_lower = std::isfinite(bar.row.q_lower_kPa);
   const bool has_upper = std::isfinite(bar.row.q_upper_kPa);
@@ -103,33 +103,30 @@ void draw_bar(Svg& svg, const Axis& axis, const Bar& bar, double y, double q_bas
   const auto put = [&](bool present, const std::string& text, bool on_left) {
     if (!present) return;
     svg.text({on_left ? left - value_gap : right + value_gap, base}, plain(text),
-             {.size = value_size, .anchor = on_left ? Anchor::end : Anchor::start, .halo = true});
-    const double taken = width(plain(text), value_size) + 2.0 * value_gap;
+             {.size = bar_rows::value_size, .anchor = on_left ? Anchor::end : Anchor::start, .halo = true});
+    const double taken = width(plain(text), bar_rows::value_size) + 2.0 * value_gap;
     on_left ? clear_left -= taken : clear_right += taken;
   };
   put(has_lower, bar.lower_text, rising);
   put(has_upper, bar.upper_text, !rising);
   if (bar.missing.empty()) return;
   const Rich note = plain("× " + bar.missing);
-  const bool fits = clear_right + width(note, value_size) < axis.to;
+  const bool fits = clear_right + width(note, bar_rows::value_size) < axis.to;
   svg.text({fits ? clear_right : clear_left, base}, note,
-           {.size = value_size,
+           {.size = bar_rows::value_size,
             .anchor = fits ? Anchor::start : Anchor::end,
             .color = palette::vermillion,
             .halo = true});
 }
 
-FlowLegend make_legend(bool noise) {
+FlowLegend tornado_legend(bool noise) {
   FlowLegend legend;
-  const auto patch = [](std::string_view fill) {
-    return [fill](Svg& svg, Point at) { svg.rectangle({at.x, at.y - 3.5, 9.0, 7.0}, fill); };
-  };
-  legend.add(9.0, plain("to the lower bound"), patch(palette::blue));
-  legend.add(9.0, plain("to the upper bound"), patch(palette::vermillion));
+  bar_rows::add_patch(legend, plain("to the lower bound"), palette::blue);
+  bar_rows::add_patch(legend, plain("to the upper bound"), palette::vermillion);
   legend.add(6.0, plain("baseline"), [](Svg& svg, Point at) {
     svg.line({at.x + 3.0, at.y - 4.5}, {at.x + 3.0, at.y + 4.5}, {palette::ink, 1.0, {}});
   });
-  if (noise) legend.add(9.0, plain("spread of the baseline in the window"), patch(palette::band));
+  if (noise) bar_rows::add_patch(legend, plain("spread of the baseline in the window"), palette::band);
   return legend;
 }
 
@@ -138,7 +135,7 @@ FlowLegend make_legend(bool noise) {
 std::optional<std::string> tornado_figure(const Snapshot& campaign, const results::WindowRow& window,
                                           Column column) {
   const double figure_width = width_of(column);
-  const std::vector<Bar> bars = make_bars(campaign, window.name);
+  const std::vector<TornadoBar> bars = tornado_bars(campaign, window.name);
   const results::RealizationRow* baseline = baseline_run(campaign);
   const auto base =
       std::find_if(campaign.window_means.begin(), campaign.window_means.end(), [&](const auto& m) {
@@ -147,12 +144,13 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
   if (bars.empty() || base == campaign.window_means.end()) return std::nullopt;
 
   const bool noise = std::isfinite(base->q_c_max_kPa - base->q_c_min_kPa);  // not known of imported averages
-  const FlowLegend legend = make_legend(noise);
+  const FlowLegend legend = tornado_legend(noise);
   double label_width = 0.0;
-  for (const Bar& bar : bars) label_width = std::max(label_width, width(bar.label, label_size));
+  for (const TornadoBar& bar : bars)
+    label_width = std::max(label_width, width(bar.label, bar_rows::label_size));
   const double lines = all_completed(campaign) ? 1.0 : 2.0;
-  const double height = 23.0 + 12.5 * lines + 8.0 + row_pitch * static_cast<double>(bars.size()) + 50.0 +
-                        legend.height(figure_width - 28.0);
+  const double height = 23.0 + 12.5 * lines + 8.0 + bar_rows::pitch * static_cast<double>(bars.size()) +
+                        50.0 + legend.height(figure_width - 28.0);
   Svg svg(figure_width, height, "tornado");
   Rich what =
       plain(": ") + symbolic("average q_c ") + plain("over " + depth_range(window.from_m, window.to_m));
@@ -162,8 +160,8 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
       draw_heading(svg, campaign, campaign.campaign.title, {window_line(window, what, figure_width)});
   const double left = 14.0 + label_width + 8.0;
   const Box area{left, top + 4.0, figure_width - 14.0 - left,
-                 row_pitch * static_cast<double>(bars.size()) + 4.0};
-  const Axis axis = make_axis(bars, base->q_c_mean_kPa, area.x, area.right());
+                 bar_rows::pitch * static_cast<double>(bars.size()) + 4.0};
+  const Axis axis = tornado_axis(bars, base->q_c_mean_kPa, area.x, area.right());
 
   draw_horizontal(svg, area, axis, Edge::bottom, symbolic("average q_c (kPa)"),
                   column == Column::single ? 4 : 6);
@@ -176,11 +174,11 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
   }
   const double x0 = axis(base->q_c_mean_kPa);
   svg.line({x0, area.y}, {x0, area.bottom()}, {palette::ink, 1.0, {}});
-  double y = area.y + 2.0 + 0.5 * row_pitch;
-  for (const Bar& bar : bars) {
-    svg.text({area.x - 8.0, y + 0.34 * label_size}, bar.label, {.size = label_size, .anchor = Anchor::end});
-    draw_bar(svg, axis, bar, y, base->q_c_mean_kPa);
-    y += row_pitch;
+  double y = area.y + 2.0 + 0.5 * bar_rows::pitch;
+  for (const TornadoBar& bar : bars) {
+    bar_rows::draw_label(svg, area, y, bar.label);
+    draw_swing(svg, axis, bar, y, base->q_c_mean_kPa);
+    y += bar_rows::pitch;
   }
   svg.line({area.x, area.bottom()}, {area.right(), area.bottom()}, {palette::ink, 0.6, {}});
   legend.draw(svg, {14.0, area.bottom() + 46.0}, figure_width - 28.0);

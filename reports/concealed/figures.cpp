@@ -16,8 +16,8 @@ namespace {
 
 using diagnosis::Proportion;
 
-constexpr double width = 420.0, height = 300.0;
-constexpr Box box{52.0, 46.0, 350.0, 190.0};
+constexpr double figure_width = 420.0, figure_height = 300.0;
+constexpr Box plot_box{52.0, 46.0, 350.0, 190.0};
 
 // A mark with its interval at x.
 void add(XyPlot& plot, double x, const Proportion& p, std::string_view colour) {
@@ -29,7 +29,7 @@ void add(XyPlot& plot, double x, const Proportion& p, std::string_view colour) {
 }  // namespace
 
 std::string strength_figure(const std::vector<Benchmark>& benchmarks) {
-  Svg svg(width, height, "strength");
+  Svg svg(figure_width, figure_height, "strength");
   XyPlot plot;
   plot.x_title = plain("strength of the true effect out of the null (standard deviations)");
   plot.y_title = plain("share of cases (%)");
@@ -44,7 +44,7 @@ std::string strength_figure(const std::vector<Benchmark>& benchmarks) {
     add(plot, x - 0.1, share(cases, [](const Judged& j) { return j.right(); }), palette::vermillion);
     add(plot, x + 0.1, share(cases, [](const Judged& j) { return among_first(j, 3); }), palette::blue);
   }
-  draw(svg, box, plot);
+  draw(svg, plot_box, plot);
   draw_heading(svg, "One mechanism is missing: is it named?",
                plain("95 % intervals (Clopper–Pearson); the last group is open upwards"));
   Legend(svg, 60.0, 284.0, 130.0).dot(plain("named"), palette::vermillion);
@@ -53,7 +53,7 @@ std::string strength_figure(const std::vector<Benchmark>& benchmarks) {
 }
 
 std::string reliability_figure(const std::vector<Benchmark>& benchmarks) {
-  Svg svg(width, height, "reliability");
+  Svg svg(figure_width, figure_height, "reliability");
   XyPlot plot;
   plot.x_title = plain("probability claimed for the answer (%)");
   plot.y_title = plain("right answers (%)");
@@ -62,7 +62,7 @@ std::string reliability_figure(const std::vector<Benchmark>& benchmarks) {
   const Cases all = select(benchmarks, [](const Judged&) { return true; });
   for (const auto& bin : diagnosis::reliability(labelled(benchmarks, all).cases))
     if (bin.correct.of > 0) add(plot, 100.0 * bin.claimed, bin.correct, palette::vermillion);
-  draw(svg, box, plot);
+  draw(svg, plot_box, plot);
   draw_heading(
       svg, "Are the probabilities honest?",
       plain("all cases in five groups by the probability claimed; on the line: as often as claimed"));

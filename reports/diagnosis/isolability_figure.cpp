@@ -11,7 +11,7 @@
 namespace cpt::reports::diagnosed {
 namespace {
 
-constexpr double cell = 26.0, label_room = 248.0, top = 76.0, label_size = 8.0, right = 14.0;
+constexpr double cell_side = 26.0, label_room = 248.0, matrix_top = 76.0, label_size = 8.0, right = 14.0;
 constexpr double full_colour = 10.0;  // [standard deviations] at and above which the colour is deepest
 
 // Orange below the threshold, blue above it, the deeper the further; made light enough for dark figures.
@@ -54,28 +54,29 @@ std::optional<std::string> isolability_figure(const DiagnosisInput& input) {
   if (count == 0) return std::nullopt;
   const double threshold = input.options.indistinguishable;
   const std::vector<std::size_t> order = by_probability(input, count);
-  const double side = static_cast<double>(count) * cell;
-  const double width = std::max(500.0, label_room + side + cell + 10.0 + right);
-  Svg svg(width, top + side + 44.0, "isolability");
+  const double side = static_cast<double>(count) * cell_side;
+  const double width = std::max(500.0, label_room + side + cell_side + 10.0 + right);
+  Svg svg(width, matrix_top + side + 44.0, "isolability");
   const auto heading = [&](double x, const std::string& text) {
-    svg.text({x + 0.5 * cell, top - 6.0}, plain(text), {.size = label_size, .anchor = Anchor::middle});
+    svg.text({x + 0.5 * cell_side, matrix_top - 6.0}, plain(text),
+             {.size = label_size, .anchor = Anchor::middle});
   };
   // The null's column stands a little apart.
   const double null_x = label_room + side + 10.0;
   for (std::size_t j = 0; j < count; ++j)
-    heading(label_room + static_cast<double>(j) * cell, fmt::format("{}", j + 1));
+    heading(label_room + static_cast<double>(j) * cell_side, fmt::format("{}", j + 1));
   heading(null_x, "none");
   for (std::size_t i = 0; i < count; ++i) {
-    const double y = top + static_cast<double>(i) * cell;
-    svg.text({label_room - 6.0, y + 0.5 * cell + 0.36 * label_size},
+    const double y = matrix_top + static_cast<double>(i) * cell_side;
+    svg.text({label_room - 6.0, y + 0.5 * cell_side + 0.36 * label_size},
              plain(shortened(title_of(input, order[i]), label_room - 34.0, label_size) +
                    fmt::format("  {}", i + 1)),
              {.size = label_size, .anchor = Anchor::end});
     for (std::size_t j = 0; j <= count; ++j) {
-      const double x = j == count ? null_x : label_room + static_cast<double>(j) * cell;
-      const Box box{x, y, cell, cell};
+      const double x = j == count ? null_x : label_room + static_cast<double>(j) * cell_side;
+      const Box box{x, y, cell_side, cell_side};
       const TextStyle style{.size = 7.5, .anchor = Anchor::middle};
-      const Point middle{x + 0.5 * cell, y + 0.5 * cell + 2.7};
+      const Point middle{x + 0.5 * cell_side, y + 0.5 * cell_side + 2.7};
       if (i == j) {
         svg.rectangle(box, palette::grid);
         svg.text(middle, plain("–"), style);
@@ -87,18 +88,18 @@ std::optional<std::string> isolability_figure(const DiagnosisInput& input) {
       svg.rectangle(box, std::isfinite(distance) ? fill_of(distance, threshold) : "#ffffff");
       svg.text(middle, plain(printed(distance)), style);
       if (distance < threshold)
-        svg.frame({x + 1.0, y + 1.0, cell - 2.0, cell - 2.0}, {palette::ink, 1.1, {}});
+        svg.frame({x + 1.0, y + 1.0, cell_side - 2.0, cell_side - 2.0}, {palette::ink, 1.1, {}});
     }
   }
-  svg.frame({label_room, top, side, side}, {palette::ink, 0.6, {}});
-  svg.frame({null_x, top, cell, side}, {palette::ink, 0.6, {}});
-  svg.text({label_room - 6.0, top - 6.0}, plain("if this is true ..."),
+  svg.frame({label_room, matrix_top, side, side}, {palette::ink, 0.6, {}});
+  svg.frame({null_x, matrix_top, cell_side, side}, {palette::ink, 0.6, {}});
+  svg.text({label_room - 6.0, matrix_top - 6.0}, plain("if this is true ..."),
            {.size = 7.5, .anchor = Anchor::end, .color = palette::muted});
-  svg.text({label_room, top - 19.0}, plain("... how far off is the best imitation by effect"),
+  svg.text({label_room, matrix_top - 19.0}, plain("... how far off is the best imitation by effect"),
            {.size = 7.5, .color = palette::muted});
   draw_heading(svg, "What this recording can tell apart",
                plain("distance D between two effects, the study's parameters free to help"));
-  draw_scale(svg, 16.0, top + side + 14.0, threshold);
+  draw_scale(svg, 16.0, matrix_top + side + 14.0, threshold);
   return svg.document("Isolability of " + input.title);
 }
 

@@ -14,7 +14,8 @@
 namespace cpt::reports::diagnosed {
 namespace {
 
-constexpr double left = 20.0, gap = 24.0, panel_width = 190.0, panel_height = 120.0, top = 66.0;
+constexpr double side_margin = 20.0, panel_gap = 24.0, posterior_width = 190.0, posterior_height = 120.0,
+                 posterior_top = 66.0;
 constexpr std::string_view interval_fill = "#f7dcc8";
 
 Rich axis_title(const MechanismParameterFacts& parameter) {
@@ -65,15 +66,18 @@ std::optional<std::string> posterior_figure(const DiagnosisInput& input) {
   const auto& parameters = input.mechanisms[best].parameters;
   if (parameters.empty()) return std::nullopt;
   const auto count = static_cast<double>(parameters.size());
-  const double width = std::max(420.0, 2.0 * left + count * panel_width + (count - 1.0) * gap);
-  const double across = (width - 2.0 * left - (count - 1.0) * gap) / count;
-  Svg svg(width, top + panel_height + 58.0, "posterior");
+  const double width =
+      std::max(420.0, 2.0 * side_margin + count * posterior_width + (count - 1.0) * panel_gap);
+  const double across = (width - 2.0 * side_margin - (count - 1.0) * panel_gap) / count;
+  Svg svg(width, posterior_top + posterior_height + 58.0, "posterior");
   for (std::size_t k = 0; k < parameters.size(); ++k)
-    draw_panel(svg, {left + static_cast<double>(k) * (across + gap), top, across, panel_height},
+    draw_panel(svg,
+               {side_margin + static_cast<double>(k) * (across + panel_gap), posterior_top, across,
+                posterior_height},
                parameters[k], input.diagnosis.mechanisms[best], static_cast<Index>(k));
   draw_heading(svg, shortened(capitalized(title_of(input, best)), width - 16.0, 10.0, true),
                plain("probability density over the ranges that were looked at; mean ± standard deviation"));
-  const double y = top + panel_height + 46.0;
+  const double y = posterior_top + posterior_height + 46.0;
   Legend(svg, 16.0, y, 110.0).line(plain("with the recording"), {palette::vermillion, 1.3, {}});
   Legend(svg, 136.0, y, 60.0).line(plain("prior"), {palette::muted, 1.0, "3 2"});
   Legend(svg, 206.0, y, 60.0).line(plain("mean"), {palette::ink, 0.8, {}});

@@ -13,37 +13,37 @@
 namespace cpt::reports::diagnosed {
 namespace {
 
-constexpr double row_height = 17.0, bar_height = 10.0, label_room = 236.0, plot_width = 250.0, top = 46.0;
-constexpr double value_room = 66.0, label_size = 8.0;
+constexpr double bar_pitch = 17.0, bar_height = 10.0, title_room = 236.0, plot_width = 250.0, bars_top = 46.0;
+constexpr double value_room = 66.0, title_size = 8.0;
 
 }  // namespace
 
 std::string probability_figure(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
   const auto rows = static_cast<double>(d.hypotheses.size());
-  const Box plot{label_room, top, plot_width, rows * row_height};
-  Svg svg(label_room + plot_width + value_room, plot.bottom() + 60.0, "probability");
+  const Box plot{title_room, bars_top, plot_width, rows * bar_pitch};
+  Svg svg(title_room + plot_width + value_room, plot.bottom() + 60.0, "probability");
   const Axis across{0.0, 1.0, plot.x, plot.right()};
   draw_horizontal(svg, plot, across, Edge::bottom, plain("probability (-)"), 5);
   const bool full = stands_alone(input);
-  double y = top;
+  double y = bars_top;
   for (const std::size_t k : by_probability(input, d.hypotheses.size())) {
     const diagnosis::Hypothesis& h = d.hypotheses[k];
     const bool answer = k == d.answer;
     const bool mechanism = k < input.mechanisms.size();
-    const double middle = y + 0.5 * row_height;
-    svg.text({plot.x - 6.0, middle + 0.36 * label_size},
-             plain(shortened(title_of(input, k), label_room - 14.0, label_size, answer)),
-             {.size = label_size, .anchor = Anchor::end, .bold = answer});
+    const double middle = y + 0.5 * bar_pitch;
+    svg.text({plot.x - 6.0, middle + 0.36 * title_size},
+             plain(shortened(title_of(input, k), title_room - 14.0, title_size, answer)),
+             {.size = title_size, .anchor = Anchor::end, .bold = answer});
     const Box bar{plot.x, middle - 0.5 * bar_height, across(h.probability) - plot.x, bar_height};
     const std::string_view color = mechanism ? palette::vermillion : palette::blue;
     svg.rectangle(bar, color, answer && full ? 1.0 : 0.3);
     if (std::ranges::find(d.set, k) != d.set.end()) svg.frame(bar, {color, 1.2, {}});
-    svg.line({across(h.prior), middle - 0.5 * row_height + 1.5},
-             {across(h.prior), middle + 0.5 * row_height - 1.5}, {palette::ink, 1.3, {}});
-    svg.text({plot.right() + 6.0, middle + 0.36 * label_size}, plain(probability(h.probability)),
-             {.size = label_size, .bold = answer});
-    y += row_height;
+    svg.line({across(h.prior), middle - 0.5 * bar_pitch + 1.5},
+             {across(h.prior), middle + 0.5 * bar_pitch - 1.5}, {palette::ink, 1.3, {}});
+    svg.text({plot.right() + 6.0, middle + 0.36 * title_size}, plain(probability(h.probability)),
+             {.size = title_size, .bold = answer});
+    y += bar_pitch;
   }
   svg.frame(plot, {palette::ink, 0.6, {}});
   draw_heading(svg, "Probability of each explanation",

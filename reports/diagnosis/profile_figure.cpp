@@ -5,12 +5,12 @@
 #include "reports/diagnosis/sounding_panels.hpp"
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
+#include "reports/units.hpp"
 #include "results/push_start.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
 
-constexpr double kPa = 1.0e3;
 const Pen recorded_pen{palette::ink, 1.1, {}};
 const Pen baseline_pen{palette::muted, 0.8, "2 2"};
 const Pen null_pen{palette::blue, 1.0, {}};

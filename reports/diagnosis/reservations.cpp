@@ -12,8 +12,6 @@
 namespace cpt::reports::diagnosed {
 namespace {
 
-constexpr std::size_t most_told = 3;
-
 // "a, b and c"; "a, b, c and 4 more".
 std::string few_of(std::vector<std::string> items) {
   const std::size_t more = items.size() > most_told ? items.size() - most_told : 0;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view noise_fill = "#e4e4e4";
 const Pen before_pen{palette::blue, 1.0, {}};
 const Pen after_pen{palette::vermillion, 1.2, {}};
-const Pen solver_pen{palette::green, 1.0, "5 2"};
+const Pen after_solver_pen{palette::green, 1.0, "5 2"};
 
 struct Residuals {
   VectorXd before, after, solver;  // [%]; empty where there is none
@@ -36,7 +36,7 @@ FlowLegend legend_of(const DiagnosisInput& input, const Residuals& r) {
   FlowLegend legend;
   legend.line(plain("before: parameters refitted"), before_pen);
   if (r.after.size() > 0) legend.line(plain("after: with the best effect (emulator)"), after_pen);
-  if (r.solver.size() > 0) legend.line(plain("after: with the best effect (full solver)"), solver_pen);
+  if (r.solver.size() > 0) legend.line(plain("after: with the best effect (full solver)"), after_solver_pen);
   add_rivals(legend, input);
   legend.patch(plain("± 2 standard deviations of noise"), noise_fill);
   add_intervals(legend, input);
@@ -86,7 +86,7 @@ std::string residual_figure(const DiagnosisInput& input) {
     for (std::size_t k = 0; k < r.rivals.size(); ++k)
       svg.polyline(cell_line(input, s, r.rivals[k], across, depth), rival_pen(k));
     if (r.after.size() > 0) svg.polyline(cell_line(input, s, r.after, across, depth), after_pen);
-    if (r.solver.size() > 0) svg.polyline(cell_line(input, s, r.solver, across, depth), solver_pen);
+    if (r.solver.size() > 0) svg.polyline(cell_line(input, s, r.solver, across, depth), after_solver_pen);
     svg.end_clip();
     svg.frame(box, {palette::ink, 0.6, {}});
   }

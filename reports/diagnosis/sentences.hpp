@@ -1,12 +1,16 @@
 // Single statements of the answer. Plain text, each ending in a full stop; "" where there is nothing to say.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "reports/diagnosis/input.hpp"
 
 namespace cpt::reports::diagnosed {
+
+/// So many intervals, parameters or explanations are named; of more, the number is told.
+inline constexpr std::size_t most_told = 3;
 
 /// Depths, sign, size and significance of the mismatch: recorded over refitted, as the figures show.
 [[nodiscard]] std::string where_it_differs(const DiagnosisInput& input);

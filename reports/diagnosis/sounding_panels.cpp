@@ -15,8 +15,9 @@
 namespace cpt::reports::diagnosed {
 namespace {
 
-constexpr double top = 82.0, left = 48.0, right = 12.0, gap_across = 40.0, gap_down = 56.0;
-constexpr double least_width = 360.0, legend_left = 12.0;
+constexpr double panels_top = 82.0, panels_left = 48.0, panels_right = 12.0, gap_across = 40.0,
+                 gap_down = 56.0;
+constexpr double least_figure_width = 360.0, legend_left = 12.0;
 constexpr std::size_t most_across = 4;
 constexpr std::string_view above_fill = "#fbe3c0", below_fill = "#d3e9f8";  // light orange and sky
 
@@ -33,10 +34,10 @@ SoundingPanels::SoundingPanels(const DiagnosisInput& input, double panel_width, 
   const std::size_t count = input.soundings.size();
   const auto across = static_cast<double>(std::min(count, most_across));
   const auto down = static_cast<double>((count + most_across - 1) / most_across);
-  const double beside = left + (across - 1.0) * gap_across + right;
-  width_ = std::max(least_width, beside + across * panel_width);
+  const double beside = panels_left + (across - 1.0) * gap_across + panels_right;
+  width_ = std::max(least_figure_width, beside + across * panel_width);
   panel_width_ = (width_ - beside) / across;
-  legend_top_ = top + down * panel_height + (down - 1.0) * gap_down + 16.0;
+  legend_top_ = panels_top + down * panel_height + (down - 1.0) * gap_down + 16.0;
   height_ = legend_top_ + legend_.height(width_ - 2.0 * legend_left) + 4.0;
 
   range_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -55,8 +56,8 @@ SoundingPanels::SoundingPanels(const DiagnosisInput& input, double panel_width, 
 Box SoundingPanels::box(std::size_t sounding) const {
   const auto column = static_cast<double>(sounding % most_across);
   const auto row = static_cast<double>(sounding / most_across);
-  return {left + column * (panel_width_ + gap_across), top + row * (panel_height_ + gap_down), panel_width_,
-          panel_height_};
+  return {panels_left + column * (panel_width_ + gap_across), panels_top + row * (panel_height_ + gap_down),
+          panel_width_, panel_height_};
 }
 
 Axis SoundingPanels::depth(std::size_t sounding) const {

@@ -12,8 +12,6 @@
 namespace cpt::reports::diagnosed {
 namespace {
 
-constexpr std::size_t most_told = 3;  // of intervals, and of parameters
-
 std::string place_of(const DiagnosisInput& input, const diagnosis::Mismatch& m) {
   const std::string between = fmt::format("between {} and {} m", metres(m.from), metres(m.to));
   if (input.soundings.size() == 1) return capitalized(between);

@@ -8,9 +8,8 @@
 namespace cpt::reports::paper {
 namespace {
 
-constexpr double figure_width = 400.0;
-constexpr double legend_width = 130.0;
-constexpr double plot_height = 330.0;
+constexpr double chamber_legend_width = 130.0;
+constexpr double chamber_plot_height = 330.0;
 
 // Curves of several campaigns, numbered anew, as one.
 class Collection {
@@ -39,16 +38,17 @@ class Collection {
   [[nodiscard]] std::optional<std::string> figure(const std::string& title, const Rich& line) const {
     if (merged_.curves.size() < 2) return std::nullopt;
     const double lines = all_completed(merged_) ? 1.0 : 2.0;
-    Svg svg(figure_width, 23.0 + 12.5 * lines + 40.0 + plot_height + 14.0, "chamber");
+    Svg svg(single_plot_width, 23.0 + 12.5 * lines + 40.0 + chamber_plot_height + 14.0, "chamber");
     const double top = draw_heading(svg, merged_, title, {line});
-    const Box box{50.0, top + 36.0, figure_width - 50.0 - legend_width - 14.0, plot_height};
+    const Box box{50.0, top + 36.0, single_plot_width - 50.0 - chamber_legend_width - 14.0,
+                  chamber_plot_height};
     const DepthPlot axes = whole_profile(merged_, merged_.curves, box);
     axes.draw_ground(svg, merged_.layers);
     svg.begin_clip(box);
     for (std::size_t i = 0; i < pens_.size(); ++i) axes.draw_curve(svg, merged_.curves[i].profile, pens_[i]);
     svg.end_clip();
     axes.draw_frame(svg);
-    Legend legend{svg, box.right() + 12.0, box.y + 6.0, legend_width - 2.0};
+    Legend legend{svg, box.right() + 12.0, box.y + 6.0, chamber_legend_width - 2.0};
     for (std::size_t i = 0; i < pens_.size(); ++i) legend.line(labels_[i], pens_[i]);
     return svg.document(title);
   }
@@ -60,9 +60,6 @@ class Collection {
   std::vector<Pen> pens_;
 };
 
-constexpr std::string_view sigma_h0 = "initial.sigma_h0_kPa";
-constexpr std::string_view density = "sand.D_r_percent";
-
 }  // namespace
 
 std::vector<NamedFigure> chamber_figures(const Studies& studies) {
@@ -70,15 +67,15 @@ std::vector<NamedFigure> chamber_figures(const Studies& studies) {
   const Pen low_dashed{palette::blue, 1.0, "4 2"}, high_dashed{palette::vermillion, 1.0, "4 2"};
   Collection walls(studies);
   walls.add(dense_rigid_study, {}, symbolic("rigid, σ'_h0 = 50 kPa"), low);
-  walls.add(dense_rigid_study, sigma_h0, symbolic("rigid, σ'_h0 = 90 kPa"), high);
+  walls.add(dense_rigid_study, inputs::sigma_h0, symbolic("rigid, σ'_h0 = 90 kPa"), high);
   walls.add(dense_flexible_study, {}, symbolic("flexible, σ'_h0 = 50 kPa"), low_dashed);
-  walls.add(dense_flexible_study, sigma_h0, symbolic("flexible, σ'_h0 = 90 kPa"), high_dashed);
+  walls.add(dense_flexible_study, inputs::sigma_h0, symbolic("flexible, σ'_h0 = 90 kPa"), high_dashed);
 
   Collection pushes(studies);
   pushes.add(dense_rigid_study, {}, plain("first push"), {palette::ink, 1.2, {}});
   pushes.add(second_push_study, {}, symbolic("σ'_v0 = 120 kPa"), {palette::blue, 1.0, {}});
-  pushes.add(dense_rigid_study, density, symbolic("D_R = 65 %"), {palette::green, 1.0, {}});
-  pushes.add(second_push_study, density, plain("both"), {palette::vermillion, 1.0, {}});
+  pushes.add(dense_rigid_study, inputs::density, symbolic("D_R = 65 %"), {palette::green, 1.0, {}});
+  pushes.add(second_push_study, inputs::density, plain("both"), {palette::vermillion, 1.0, {}});
 
   return {
       {"boundaries",

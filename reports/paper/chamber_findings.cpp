@@ -1,39 +1,33 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "reports/paper/compare.hpp"
 #include "reports/paper/findings.hpp"
 
 namespace cpt::reports::paper {
 namespace {
 
-constexpr std::string_view window = "whole";
-constexpr std::string_view sigma_h0 = "initial.sigma_h0_kPa";
-constexpr std::string_view density = "sand.D_r_percent";
-
-using Findings = std::vector<Finding>;
-
-Value size(const Value& value) { return {std::abs(value.number), value.missing}; }
+constexpr std::string_view whole_window = "whole";
 
 Value on_raising(const StudyView& study, std::string_view parameter) {
-  return relative_change(study.baseline(window), study.q_c(window, parameter, Bound::upper));
+  return relative_change(study.baseline(whole_window), study.q_c(whole_window, parameter, Bound::upper));
 }
 
 Findings boundary_findings(const StudyView& rigid, const StudyView& flexible) {
-  const Value with_rigid = on_raising(rigid, sigma_h0), with_flexible = on_raising(flexible, sigma_h0);
-  return {compare_sign({"B1", "q<sub>c</sub>, rigid wall: σ'<sub>h0</sub> 50 → 90 kPa"},
-                       "nearly the same, 90 kPa slightly lower", "6.2", Sign::falls, with_rigid),
-          compare_sign({"B1", "q<sub>c</sub>, flexible wall: σ'<sub>h0</sub> 50 → 90 kPa"},
-                       "90 kPa clearly higher", "6.2", Sign::rises, with_flexible),
-          compare_less({"B1", "size of that change, rigid against flexible wall"},
-                       "far less with the rigid wall", "6.2", size(with_rigid), size(with_flexible), 0.5)};
+  const Value with_rigid = on_raising(rigid, inputs::sigma_h0),
+              with_flexible = on_raising(flexible, inputs::sigma_h0);
+  return {
+      compare_sign({"B1", "q<sub>c</sub>, rigid wall: σ'<sub>h0</sub> 50 → 90 kPa"},
+                   "nearly the same, 90 kPa slightly lower", "6.2", Sign::falls, with_rigid),
+      compare_sign({"B1", "q<sub>c</sub>, flexible wall: σ'<sub>h0</sub> 50 → 90 kPa"},
+                   "90 kPa clearly higher", "6.2", Sign::rises, with_flexible),
+      compare_less({"B1", "size of that change, rigid against flexible wall"}, "far less with the rigid wall",
+                   "6.2", magnitude(with_rigid), magnitude(with_flexible), 0.5)};
 }
 
 Findings second_push_findings(const StudyView& first, const StudyView& second) {
-  const Value base = first.baseline(window);
-  const Value stress = relative_change(base, second.baseline(window));
-  const Value dense = on_raising(first, density);
+  const Value base = first.baseline(whole_window);
+  const Value stress = relative_change(base, second.baseline(whole_window));
+  const Value dense = on_raising(first, inputs::density);
   const Value together = !stress  ? stress
                          : !dense ? dense
                                   : Value{(1.0 + stress.number) * (1.0 + dense.number) - 1.0, {}};
@@ -43,7 +37,7 @@ Findings second_push_findings(const StudyView& first, const StudyView& second) {
       compare_effect({"M2", "D<sub>R</sub> 60 → 65 % on q<sub>c</sub>"}, density_effect, dense),
       compare_effect({"M2", "M1 and M2 multiplied, against the measured rise"}, measured_rise, together),
       compare_effect({"M2", "both changes in one run, against the measured rise"}, measured_rise,
-                     relative_change(base, second.q_c(window, density, Bound::upper)))};
+                     relative_change(base, second.q_c(whole_window, inputs::density, Bound::upper)))};
 }
 
 Finding recording_finding() {

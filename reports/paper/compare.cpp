@@ -50,6 +50,8 @@ std::string with_sign(double value, int digits) {
 
 std::string percent(double fraction, int digits) { return with_sign(100.0 * fraction, digits) + " %"; }
 
+Value magnitude(const Value& value) { return {std::abs(value.number), value.missing}; }
+
 Value relative_change(const Value& from, const Value& to) {
   if (!from) return from;
   if (!to) return to;

@@ -49,6 +49,8 @@ void compare_ranking(std::vector<Finding>& findings, std::string_view row, const
 [[nodiscard]] Finding not_run(const Subject& subject, std::string statement, std::string_view section,
                               std::string why);
 
+/// Without its sign.
+[[nodiscard]] Value magnitude(const Value& value);
 /// (to - from) / from; missing if either is.
 [[nodiscard]] Value relative_change(const Value& from, const Value& to);
 /// "+0.012".

@@ -9,6 +9,9 @@
 
 namespace cpt::reports::paper {
 
+/// Width of a figure with one plot [pt].
+inline constexpr double single_plot_width = 400.0;
+
 /// Sand of Table 2 in single-element tests: critical state line with loose tests (Fig. 5), triaxial tests
 /// (Fig. 6), H found again from simulated tests (Fig. 7), oedometer (Fig. 8). Simulated only: the paper's
 /// measurements are not published as numbers.

@@ -28,5 +28,6 @@ struct Finding {
   Verdict verdict = Verdict::not_run;
   std::string detail;  ///< what is missing, or what stands out of line; may be empty
 };
+using Findings = std::vector<Finding>;
 
 }  // namespace cpt::reports::paper

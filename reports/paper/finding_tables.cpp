@@ -11,8 +11,6 @@
 namespace cpt::reports::paper {
 namespace {
 
-using Findings = std::vector<Finding>;
-
 std::string tally(const std::vector<FindingGroup>& groups) {
   const auto count = [&](Verdict verdict) {
     std::ptrdiff_t sum = 0;

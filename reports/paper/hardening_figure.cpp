@@ -8,19 +8,15 @@
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
 #include "reports/paper/figures.hpp"
+#include "reports/paper/laboratory.hpp"
+#include "reports/units.hpp"
 #include "reports/xy_plot.hpp"
 #include "solver/constitutive/element_test.hpp"
 
 namespace cpt::reports::paper {
 namespace {
 
-constexpr double kPa = 1.0e3;
-
-// Densities of the laboratory's tests (section 4.2), stresses over their range, H over the range that the
-// paper found.
-constexpr std::array densities = {0.80, 0.51, 0.01};
-constexpr std::array pressures = {40.0e3, 160.0e3, 640.0e3};
-constexpr std::array moduli = {25.0, 50.0, 75.0};
+constexpr std::array known_H = {25.0, 50.0, 75.0};  // over the range that the paper found
 
 // A test as a laboratory would report it: engineering strains, a reading every 0.05 %.
 calibration::TriaxialCurve simulated(double D_r, double p_0, double H) {
@@ -44,18 +40,19 @@ calibration::TriaxialCurve simulated(double D_r, double p_0, double H) {
 }  // namespace
 
 std::string hardening_figure() {
-  Svg svg(400.0, 290.0, "hardening");
+  Svg svg(single_plot_width, 290.0, "hardening");
   draw_heading(svg, "Calibration of H",
                symbolic("found from the initial stiffness of simulated tests at D_R = 80, 51, 1 %"));
   XyPlot plot{symbolic("ψ_0"), plain("H"), {}};
   plot.room = {{-0.4, 0.0}, {0.1, 100.0}};
   const Pen known{palette::muted, 0.8, "4 2"};
-  for (const double H : moduli) plot.curves.push_back({{{-0.4, H}, {0.1, H}}, known});
-  for (std::size_t k = 0; k < pressures.size(); ++k) {
+  for (const double H : known_H) plot.curves.push_back({{{-0.4, H}, {0.1, H}}, known});
+  for (std::size_t k = 0; k < laboratory_pressures.size(); ++k) {
     XyCurve found{{}, {palette::series[k], 1.0, {}}, 2.6};
-    for (std::size_t i = 0; i < densities.size(); ++i) {
-      const double H = moduli[(i + k) % moduli.size()];  // a Latin square: each at each density and stress
-      const auto fit = calibration::fit_hardening(simulated(densities[i], pressures[k], H), solver::Sand{});
+    for (std::size_t i = 0; i < laboratory_densities.size(); ++i) {
+      const double H = known_H[(i + k) % known_H.size()];  // a Latin square: each at each density and stress
+      const auto fit = calibration::fit_hardening(
+          simulated(laboratory_densities[i], laboratory_pressures[k], H), solver::Sand{});
       found.points.push_back({fit.psi_0, fit.H});
     }
     plot.curves.push_back(std::move(found));
@@ -64,8 +61,9 @@ std::string hardening_figure() {
   draw(svg, box, plot);
   Legend legend{svg, box.right() + 12.0, box.y + 6.0, 95.0};
   legend.line(plain("known H"), known);
-  for (std::size_t k = 0; k < pressures.size(); ++k)
-    legend.dot(symbolic("p'_0 ") + plain(fmt::format("= {:g} kPa", pressures[k] / kPa)), palette::series[k]);
+  for (std::size_t k = 0; k < laboratory_pressures.size(); ++k)
+    legend.dot(symbolic("p'_0 ") + plain(fmt::format("= {:g} kPa", laboratory_pressures[k] / kPa)),
+               palette::series[k]);
   return svg.document("Calibration of H");
 }
 

@@ -12,12 +12,8 @@
 namespace cpt::reports::paper {
 namespace {
 
-constexpr std::string_view hardening = "sand.H";
-constexpr std::string_view radius = "chamber.radius_m";
-constexpr std::string_view sigma_h0 = "initial.sigma_h0_kPa";
-
 // Least and largest of the averages of a study, each with the label of the realization it belongs to.
-struct Range {
+struct Extremes {
   Value least, largest;
   std::string least_run, largest_run;  // Markdown
   std::string partial;                 // realizations that are missing from it
@@ -25,11 +21,11 @@ struct Range {
 };
 
 /// Of all completed realizations, with or without the upper bound of one parameter.
-Range range(const StudyView& study, std::string_view window, std::string_view without = {}) {
+Extremes extremes(const StudyView& study, std::string_view window, std::string_view without = {}) {
   if (const Value base = study.baseline(window); !base) return {base, base, {}, {}, {}, false};
   const results::Snapshot& s = *study.snapshot();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Range range{{infinity, {}}, {-infinity, {}}, {}, {}, {}, false};
+  Extremes ends{{infinity, {}}, {-infinity, {}}, {}, {}, {}, false};
   int found = 0, missing = 0;
   for (const results::RealizationRow& run : s.realizations) {
     if (!without.empty() && run.parameter == without && run.side == "upper") continue;
@@ -38,21 +34,21 @@ Range range(const StudyView& study, std::string_view window, std::string_view wi
     });
     if (mean == s.window_means.end()) {
       ++missing;
-      range.waiting = range.waiting || run.waiting();
+      ends.waiting = ends.waiting || run.waiting();
       continue;
     }
     ++found;
     const double q_c = mean->q_c_mean_kPa;
-    if (q_c < range.least.number) range.least.number = q_c, range.least_run = html(run_label(s, run));
-    if (q_c > range.largest.number) range.largest.number = q_c, range.largest_run = html(run_label(s, run));
+    if (q_c < ends.least.number) ends.least.number = q_c, ends.least_run = html(run_label(s, run));
+    if (q_c > ends.largest.number) ends.largest.number = q_c, ends.largest_run = html(run_label(s, run));
   }
   if (missing > 0)
-    range.partial = fmt::format("{} of {} realizations are in the range", found, found + missing);
-  return range;
+    ends.partial = fmt::format("{} of {} realizations are in the range", found, found + missing);
+  return ends;
 }
 
 void add_range(std::vector<Finding>& findings, std::string_view row, const std::string& of,
-               const Range& range, const Published& least, const Published& largest) {
+               const Extremes& range, const Published& least, const Published& largest) {
   for (const bool low : {true, false}) {
     Finding finding = compare_level({row, (low ? "least " : "largest ") + of}, low ? least : largest,
                                     low ? range.least : range.largest);
@@ -69,7 +65,7 @@ void add_range(std::vector<Finding>& findings, std::string_view row, const std::
 constexpr double by_far = 1.5;
 
 Finding dominance(const StudyView& study) {
-  const Value first = study.index("sand", hardening);
+  const Value first = study.index("sand", inputs::hardening);
   Finding finding = not_run({"S2", "H dominates by far"}, "by far the largest SI", "5.2", first.missing);
   finding.check = fmt::format("order: {:g} times the next", by_far);
   if (!first) return finding;
@@ -78,7 +74,7 @@ Finding dominance(const StudyView& study) {
   for (const Group& group : sand_ranking.groups)
     for (const std::string_view parameter : group.parameters) {
       const Value index = study.index("sand", parameter);
-      if (parameter == hardening || !index || std::abs(index.number) <= next) continue;
+      if (parameter == inputs::hardening || !index || std::abs(index.number) <= next) continue;
       next = std::abs(index.number);
       name = parameter;
     }
@@ -111,15 +107,14 @@ Finding several_above(const StudyView& study) {
 
 // How q_c changes from a chamber of 0.45 m to one of 0.30 m.
 Value on_shrinking(const StudyView& study) {
-  return relative_change(study.q_c("sand", radius, Bound::upper), study.q_c("sand", radius, Bound::lower));
+  return relative_change(study.q_c("sand", inputs::radius, Bound::upper),
+                         study.q_c("sand", inputs::radius, Bound::lower));
 }
 
-Value on_raising(const StudyView& study) {
-  return relative_change(study.q_c("sand", sigma_h0, Bound::lower),
-                         study.q_c("sand", sigma_h0, Bound::upper));
+Value on_raising_sigma_h0(const StudyView& study) {
+  return relative_change(study.q_c("sand", inputs::sigma_h0, Bound::lower),
+                         study.q_c("sand", inputs::sigma_h0, Bound::upper));
 }
-
-Value size(const Value& value) { return {std::abs(value.number), value.missing}; }
 
 }  // namespace
 
@@ -127,28 +122,30 @@ std::vector<Finding> sand_findings(const Studies& studies) {
   const StudyView rigid(studies, sand_study);
   const StudyView flexible(studies, flexible_study);
   std::vector<Finding> findings;
-  add_range(findings, "S1", "average q<sub>c</sub>, all but H = 75", range(rigid, "sand", hardening),
-            sand_least, sand_largest);
+  add_range(findings, "S1", "average q<sub>c</sub>, all but H = 75",
+            extremes(rigid, "sand", inputs::hardening), sand_least, sand_largest);
   findings.push_back(compare_level({"S2", "average q<sub>c</sub>, H = 75"}, sand_hard,
-                                   rigid.q_c("sand", hardening, Bound::upper)));
+                                   rigid.q_c("sand", inputs::hardening, Bound::upper)));
   findings.push_back(dominance(rigid));
   compare_ranking(findings, "S3", sand_ranking, rigid);
   findings.push_back(several_above(rigid));
-  findings.push_back(
-      show({"S3", "|SI| of the chamber's radius"}, radius_index, size(rigid.index("sand", radius)), 3, ""));
+  findings.push_back(show({"S3", "|SI| of the chamber's radius"}, radius_index,
+                          magnitude(rigid.index("sand", inputs::radius)), 3, ""));
   findings.push_back(show({"S3", "SI<sub>noise</sub>"}, noise_sand, rigid.noise("sand"), 4, ""));
   findings.push_back(compare_sign({"S4", "rigid wall: σ'<sub>h0</sub> 15 → 35 kPa"},
                                   "q<sub>c</sub> falls very slightly", "5.2", Sign::falls,
-                                  on_raising(rigid)));
+                                  on_raising_sigma_h0(rigid)));
   findings.push_back(compare_sign({"S4", "rigid wall: radius 0.45 → 0.30 m"}, "q<sub>c</sub> rises slightly",
                                   "5.2", Sign::rises, on_shrinking(rigid)));
   findings.push_back(compare_sign({"S5", "flexible wall: σ'<sub>h0</sub> 15 → 35 kPa"},
-                                  "q<sub>c</sub> rises clearly", "5.2", Sign::rises, on_raising(flexible)));
+                                  "q<sub>c</sub> rises clearly", "5.2", Sign::rises,
+                                  on_raising_sigma_h0(flexible)));
   findings.push_back(compare_sign({"S5", "flexible wall: radius 0.45 → 0.30 m"}, "q<sub>c</sub> falls", "5.2",
                                   Sign::falls, on_shrinking(flexible)));
   findings.push_back(compare_less({"S5", "|SI| of σ'<sub>h0</sub>, rigid against flexible wall"},
-                                  "far less with the rigid wall", "5.2", size(rigid.index("sand", sigma_h0)),
-                                  size(flexible.index("sand", sigma_h0)), 0.5));
+                                  "far less with the rigid wall", "5.2",
+                                  magnitude(rigid.index("sand", inputs::sigma_h0)),
+                                  magnitude(flexible.index("sand", inputs::sigma_h0)), 0.5));
   return findings;
 }
 
@@ -157,11 +154,12 @@ std::vector<Finding> clay_findings(const Studies& studies) {
   std::vector<Finding> findings;
   findings.push_back(
       compare_level({"C1", "average q<sub>c</sub>, baseline"}, clay_baseline, study.baseline("clay")));
-  add_range(findings, "C1", "average q<sub>c</sub>", range(study, "clay"), clay_least, clay_largest);
+  add_range(findings, "C1", "average q<sub>c</sub>", extremes(study, "clay"), clay_least, clay_largest);
   compare_ranking(findings, "C2", clay_ranking, study);
-  findings.push_back(compare_sign(
-      {"C2", "σ'<sub>h0</sub> 15 → 35 kPa"}, "q<sub>c</sub> rises slightly", "5.2", Sign::rises,
-      relative_change(study.q_c("clay", sigma_h0, Bound::lower), study.q_c("clay", sigma_h0, Bound::upper))));
+  findings.push_back(compare_sign({"C2", "σ'<sub>h0</sub> 15 → 35 kPa"}, "q<sub>c</sub> rises slightly",
+                                  "5.2", Sign::rises,
+                                  relative_change(study.q_c("clay", inputs::sigma_h0, Bound::lower),
+                                                  study.q_c("clay", inputs::sigma_h0, Bound::upper))));
   findings.push_back(show({"C2", "SI<sub>noise</sub>"}, noise_clay, study.noise("clay"), 4, ""));
   return findings;
 }

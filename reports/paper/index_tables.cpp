@@ -10,6 +10,7 @@
 #include "reports/markdown.hpp"
 #include "reports/paper/ranking.hpp"
 #include "reports/text.hpp"
+#include "reports/units.hpp"
 #include "results/window_noise.hpp"
 
 namespace cpt::reports::paper {
@@ -133,7 +134,6 @@ std::optional<IndexInterval> index_interval(const Snapshot& campaign, std::strin
   const auto lower = noise_at(campaign, *place, parameter, "lower");
   const auto upper = noise_at(campaign, *place, parameter, "upper");
   if (!lower || !upper) return std::nullopt;
-  constexpr double kPa = 1.0e3;
   return IndexInterval{
       results::index_uncertainty(row->q_lower_kPa * kPa, *lower, row->q_upper_kPa * kPa, *upper), false};
 }

@@ -6,6 +6,7 @@
 #include "reports/labels.hpp"
 #include "reports/palette.hpp"
 #include "reports/paper/figures.hpp"
+#include "reports/units.hpp"
 #include "reports/xy_plot.hpp"
 
 namespace cpt::reports::paper {
@@ -13,8 +14,7 @@ namespace {
 
 using results::Histories;
 
-constexpr double MPa = 1.0e6, kPa = 1.0e3;
-constexpr std::array radii = {"1 cone radius", "2 cone radii", "3 cone radii"};
+constexpr std::array distance_labels = {"1 cone radius", "2 cone radii", "3 cone radii"};
 constexpr std::string_view dashed = "3 2";
 
 XyCurve path(const results::PointHistory& point, const Pen& pen) {
@@ -30,7 +30,7 @@ XyPlot paths(const Push& low, const Push& high) {
   XyPlot plot{symbolic("p' (MPa)"), plain("q (MPa)"), {}};
   plot.room = {{0.0, 0.0}};
   for (const Push* push : {&low, &high})
-    for (std::size_t i = 0; i < std::min(radii.size(), push->histories->points.size()); ++i)
+    for (std::size_t i = 0; i < std::min(distance_labels.size(), push->histories->points.size()); ++i)
       plot.curves.push_back(path(push->histories->points[i],
                                  {palette::series[i], 0.9, push == &low ? std::string_view{} : dashed}));
   return plot;
@@ -54,7 +54,8 @@ std::optional<std::string> stress_path_figure(const Pushes& pushes) {
   svg.text({left.x, left.y - 6.0}, plain("rigid wall"), {.size = 8.0, .bold = true});
   svg.text({right.x, right.y - 6.0}, plain("flexible wall"), {.size = 8.0, .bold = true});
   Legend legend{svg, right.right() + 10.0, right.y + 6.0, 96.0};
-  for (std::size_t i = 0; i < radii.size(); ++i) legend.line(plain(radii[i]), {palette::series[i], 1.2, {}});
+  for (std::size_t i = 0; i < distance_labels.size(); ++i)
+    legend.line(plain(distance_labels[i]), {palette::series[i], 1.2, {}});
   legend.gap();
   legend.line(symbolic("σ'_h0 = 50 kPa"), {palette::ink, 0.9, {}});
   legend.line(symbolic("σ'_h0 = 90 kPa"), {palette::ink, 0.9, dashed});

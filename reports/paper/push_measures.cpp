@@ -16,13 +16,9 @@ using results::Histories;
 using results::PointHistory;
 using results::Ring;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-Value missing(std::string why) { return {nan, std::move(why)}; }
-
 // A number of the push's histories, or why there are none.
 Value of(const Push& push, const std::function<Value(const Histories&)>& measure) {
-  return push.histories ? measure(*push.histories) : missing(push.missing);
+  return push.histories ? measure(*push.histories) : missing_value(push.missing);
 }
 
 const PointHistory* point_at(const Histories& push, int radii) {
@@ -36,11 +32,11 @@ using Path = std::vector<double>;
 Value of_paths(const Push& first, const Push& second, int radii,
                const std::function<double(const Path&, const Path&, const Path&, const Path&)>& measure) {
   for (const Push* push : {&first, &second})
-    if (!push->histories) return missing(push->missing);
+    if (!push->histories) return missing_value(push->missing);
   const PointHistory* a = point_at(*first.histories, radii);
   const PointHistory* b = point_at(*second.histories, radii);
   if (a == nullptr || b == nullptr)
-    return missing(fmt::format("no material point at {} cone radii was followed", radii));
+    return missing_value(fmt::format("no material point at {} cone radii was followed", radii));
   return {measure(a->columns.at("p").values, a->columns.at("q").values, b->columns.at("p").values,
                   b->columns.at("q").values),
           {}};
@@ -55,7 +51,7 @@ double mean(const Path& values) {
 Value of_rings(const Push& push, const std::function<double(const std::vector<Ring>&)>& measure) {
   return of(push, [&](const Histories& histories) {
     const std::vector<Ring> rings = void_ratio_rings(histories);
-    return rings.empty() ? missing("no soil between the depths") : Value{measure(rings), {}};
+    return rings.empty() ? missing_value("no soil between the depths") : Value{measure(rings), {}};
   });
 }
 
@@ -86,7 +82,7 @@ Value mean_stress_change(const Push& first, const Push& second, int radii) {
 
 Value largest_wall_rise(const Push& push, std::string_view stress) {
   return of(push, [&](const Histories& histories) {
-    if (histories.walls.empty()) return missing("no part of the wall was followed");
+    if (histories.walls.empty()) return missing_value("no part of the wall was followed");
     double largest = -1.0;
     for (const results::WallHistory& wall : histories.walls) {
       const std::vector<double>& values = wall.columns.at(std::string(stress)).values;
@@ -98,7 +94,7 @@ Value largest_wall_rise(const Push& push, std::string_view stress) {
 
 Value final_wall_ratio(const Push& push) {
   return of(push, [](const Histories& histories) {
-    if (histories.walls.empty()) return missing("no part of the wall was followed");
+    if (histories.walls.empty()) return missing_value("no part of the wall was followed");
     double sum = 0.0;
     for (const results::WallHistory& wall : histories.walls)
       sum += wall.columns.at("sigma_r").values.back() / wall.columns.at("sigma_v").values.back();
@@ -142,7 +138,7 @@ Value least_ring_void_ratio(const Push& push) {
 Value least_point_void_ratio(const Push& push) {
   return of(push, [](const Histories& histories) {
     const std::vector<double>& e = histories.end.void_ratio;
-    return e.empty() ? missing("the push did not get to its end")
+    return e.empty() ? missing_value("the push did not get to its end")
                      : Value{*std::min_element(e.begin(), e.end()), {}};
   });
 }

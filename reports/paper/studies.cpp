@@ -6,13 +6,12 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "reports/labels.hpp"
 
 namespace cpt::reports::paper {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <class Row>
 const Row* find_named(const std::vector<Row>& rows, std::string_view name) {
@@ -59,8 +58,11 @@ StudyView::StudyView(const Studies& studies, std::string_view name) : name_(name
   snapshot_ = found == studies.end() ? nullptr : &found->second;
 }
 
+Value missing_value(std::string why) { return {std::numeric_limits<double>::quiet_NaN(), std::move(why)}; }
+
 Value StudyView::missing(std::string why) const {
-  return {nan, snapshot_ == nullptr ? name_ + " has not been run" : fmt::format("{}: {}", name_, why)};
+  return missing_value(snapshot_ == nullptr ? name_ + " has not been run"
+                                            : fmt::format("{}: {}", name_, why));
 }
 
 const results::WindowRow* StudyView::window(std::string_view name) const {

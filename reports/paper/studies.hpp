@@ -24,6 +24,14 @@ inline constexpr std::string_view second_push_study = "second_push";
 inline constexpr std::string_view image_pressure_study = "image_pressure";
 [[nodiscard]] std::vector<std::string_view> study_names();
 
+/// Inputs of the studies that findings and figures speak of.
+namespace inputs {
+inline constexpr std::string_view hardening = "sand.H";
+inline constexpr std::string_view density = "sand.D_r_percent";
+inline constexpr std::string_view radius = "chamber.radius_m";
+inline constexpr std::string_view sigma_h0 = "initial.sigma_h0_kPa";
+}  // namespace inputs
+
 /// Snapshots by study name; a study that has not been run has none.
 using Studies = std::map<std::string, results::Snapshot, std::less<>>;
 
@@ -41,6 +49,7 @@ struct Value {
       missing;  ///< "dense_rigid has not been run", "homogeneous_sand: baseline run pending"; else empty
   explicit operator bool() const { return missing.empty(); }
 };
+[[nodiscard]] Value missing_value(std::string why);
 
 enum class Bound { baseline, lower, upper };
 

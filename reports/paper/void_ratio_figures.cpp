@@ -24,10 +24,9 @@ struct Shade {
   double up_to;
   std::string_view color;
 };
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::array shades = {Shade{-0.020, "#2166ac"},  Shade{-0.010, "#67a9cf"}, Shade{-0.003, "#d1e5f0"},
                                Shade{0.003, "#f7f7f7"},   Shade{0.010, "#fddbc7"},  Shade{0.020, "#ef8a62"},
-                               Shade{infinity, "#b2182b"}};
+                               Shade{INFINITY, "#b2182b"}};
 
 std::string_view color_of(double change) {
   for (const Shade& shade : shades)

@@ -6,7 +6,8 @@
 namespace cpt::reports::view {
 namespace {
 
-constexpr double below = 0.01, above = 0.005, above_log = 0.001;  // weight beyond the ends of a scale
+// Weight beyond the ends of a scale.
+constexpr double weight_below = 0.01, weight_above = 0.005, weight_above_log = 0.001;
 
 // 1, 2 or 5 times a power of ten, the next one at or beyond the value. Wants value > 0.
 double round_down(double value) {
@@ -79,7 +80,7 @@ ColourScale fitted(ColourMap map, ScaleKind kind, std::vector<Weighted> values) 
   if (values.empty())
     return {map, kind, kind == ScaleKind::diverging ? -1.0 : log ? 1.0 : 0.0, log ? 10.0 : 1.0};
   std::ranges::sort(values, {}, &Weighted::value);
-  Ends ends = ends_of(values, below, log ? above_log : above);
+  Ends ends = ends_of(values, weight_below, log ? weight_above_log : weight_above);
   if (log) {
     ends = {round_down(ends.low), round_up(ends.high)};
     if (ends.high <= ends.low) ends.high = 10.0 * ends.low;

@@ -82,7 +82,7 @@ void fit_scales(View& view, const results::StoredPush& push, const std::vector<r
 
 // The colours of an animation: the shades of its maps, then greys and the few colours of lines and marks with
 // their way to white, for the edges of letters.
-std::vector<std::uint32_t> colours_of(const View& view) {
+std::vector<std::uint32_t> animation_colours(const View& view) {
   std::vector<std::uint32_t> colours;
   const auto add = [&](Colour colour) {
     if (colours.size() < 255 && std::ranges::find(colours, colour.value()) == colours.end())
@@ -122,7 +122,7 @@ WrittenView write_view(const results::StoredPush& push, const ViewRequest& reque
     if (fields.size() > 1) {
       if (!animation) {
         written.animation = folder / (push.name + "-view.gif");
-        animation.emplace(written.animation, picture.width, picture.height, colours_of(view));
+        animation.emplace(written.animation, picture.width, picture.height, animation_colours(view));
       }
       const bool last = written.frames.size() == fields.size();
       animation->add(picture, last ? std::max(last_frame_seconds, request.seconds_per_frame)
