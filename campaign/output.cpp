@@ -12,7 +12,7 @@
 namespace cpt::campaign {
 namespace {
 
-int lost = 0;                    // errno of the first piece of standard output that could not be written
+int loss = 0;                    // errno of the first piece of standard output that could not be written
 bool closed_from_start = false;  // standard output
 
 // A pipe may have been made non-blocking by whoever else holds it; then its reader is waited for.
@@ -34,7 +34,7 @@ bool write_all(int descriptor, const char* bytes, std::size_t size) {
 
 // What comes after a gap would make no sense, so nothing follows a loss.
 ssize_t to_stdout(void*, const char* bytes, std::size_t size) {
-  if (lost == 0 && !write_all(STDOUT_FILENO, bytes, size)) lost = errno;
+  if (loss == 0 && !write_all(STDOUT_FILENO, bytes, size)) loss = errno;
   return static_cast<ssize_t>(size);
 }
 
@@ -72,11 +72,11 @@ void open_output() {
 int close_output(int code, int if_lost) {
   std::fflush(stdout);
   // Some file systems tell only now that a disk is full.
-  if (lost == 0 && !closed_from_start && ::close(STDOUT_FILENO) != 0 && errno != EBADF) lost = errno;
-  if (lost == 0) return code;
-  if (lost != EPIPE)
+  if (loss == 0 && !closed_from_start && ::close(STDOUT_FILENO) != 0 && errno != EBADF) loss = errno;
+  if (loss == 0) return code;
+  if (loss != EPIPE)
     fmt::print(stderr, "standard output cannot be written ({}): what is printed there is not whole\n",
-               closed_from_start ? "it is closed" : std::strerror(lost));
+               closed_from_start ? "it is closed" : std::strerror(loss));
   return code == 0 ? if_lost : code;
 }
 

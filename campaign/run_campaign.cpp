@@ -25,7 +25,6 @@
 namespace cpt::campaign {
 namespace {
 
-constexpr int master = 0;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_losses = 2;         // of ranks with the same realization, before it is given up
 constexpr int most_interruptions = 3;  // of a realization by signals from outside, before it is given up

@@ -7,6 +7,8 @@
 
 namespace cpt::campaign {
 
+inline constexpr int master = 0;  ///< its rank
+
 /// A message and the rank it came from.
 struct Received {
   int from;

@@ -7,7 +7,6 @@
 namespace cpt::campaign {
 namespace {
 
-constexpr int master = 0;
 constexpr double heartbeat_interval = 2.0;  // [s]
 
 bool is_interrupted(const Message& message) {

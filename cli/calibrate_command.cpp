@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/cells.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/set_quantity.hpp"
@@ -19,10 +20,9 @@
 namespace cpt::cli {
 namespace {
 
-constexpr double kPa = 1.0e3;     // [Pa]
 constexpr double percent = 0.01;  // [-]
 
-struct Arguments {
+struct CalibrateArguments {
   std::vector<std::filesystem::path> files;
   std::vector<std::string> settings;                // name=value
   std::optional<double> D_r_percent, e_0, p_0_kPa;  // in place of the files'
@@ -32,7 +32,7 @@ struct Arguments {
 
 // What the command line says of density and stress holds for every file. Throws BadInput with all that is
 // wrong with all files.
-std::vector<calibration::TriaxialCurve> read_curves(const Arguments& arguments) {
+std::vector<calibration::TriaxialCurve> read_curves(const CalibrateArguments& arguments) {
   if (arguments.D_r_percent && arguments.e_0) throw BadInput("give either --D_r_percent or --e0");
   std::vector<calibration::TriaxialCurve> curves;
   std::vector<calibration::CurveProblem> problems;
@@ -60,10 +60,8 @@ std::vector<calibration::TriaxialCurve> read_curves(const Arguments& arguments) 
   return curves;
 }
 
-results::Cell cell(double value) { return std::isnan(value) ? results::Cell{} : results::Cell(value); }
-
-results::Table make_table(const std::vector<calibration::TriaxialCurve>& curves,
-                          const std::vector<calibration::HardeningFit>& fits) {
+results::Table fit_table(const std::vector<calibration::TriaxialCurve>& curves,
+                         const std::vector<calibration::HardeningFit>& fits) {
   results::Table table{{"test", "p0_kPa", "e0", "psi_0", "H", "matched_to_percent", "readings", "E_test_MPa",
                         "E_sand_MPa", "misfit_q_percent", "misfit_eps_v_percent", "note"},
                        {}};
@@ -86,7 +84,7 @@ void print_trends(const std::vector<calibration::HardeningFit>& fits) {
                t->by_psi, t->by_p, t->r_squared, t->tests);
 }
 
-int calibrate(const Arguments& arguments) {
+int calibrate(const CalibrateArguments& arguments) {
   if (arguments.options.H_lower >= arguments.options.H_upper)
     throw BadInput("--H_lower must be less than --H_upper");
   solver::Setup setup = solver::make_setup(solver::Profile::homogeneous_sand, solver::Preset::standard);
@@ -96,7 +94,7 @@ int calibrate(const Arguments& arguments) {
   for (const calibration::TriaxialCurve& curve : curves)
     fits.push_back(calibration::fit_hardening(curve, setup.sand, arguments.options));
 
-  const results::Table table = make_table(curves, fits);
+  const results::Table table = fit_table(curves, fits);
   fmt::print("{}", results::format(table, results::Format::table));
   print_trends(fits);
   if (!arguments.csv.empty()) results::write_csv(arguments.csv, table);
@@ -108,7 +106,7 @@ int calibrate(const Arguments& arguments) {
 }  // namespace
 
 void add_calibrate(CLI::App& element, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CalibrateArguments>();
   CLI::App* sub = element.add_subcommand(
       "calibrate", "Find NorSand's H from drained triaxial tests by matching their initial stiffness");
   const auto number = [sub](const char* option, auto& value, const char* what) {

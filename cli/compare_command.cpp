@@ -13,13 +13,13 @@
 namespace cpt::cli {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   std::filesystem::path a, b;
   std::string what = "means";
   results::Format format = results::Format::table;
 };
 
-int compare(const Arguments& arguments) {
+int compare_campaigns(const CompareArguments& arguments) {
   const results::Snapshot a = results::read_snapshot(open_ledger(arguments.a)),
                           b = results::read_snapshot(open_ledger(arguments.b));
   const results::Table table = arguments.what == "settings"      ? results::compare_settings(a, b)
@@ -32,7 +32,7 @@ int compare(const Arguments& arguments) {
 }  // namespace
 
 void add_compare(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = program.add_subcommand("compare", "Two campaigns side by side");
   command->add_option("A", arguments->a, "Study file or database")->type_name("")->required();
   command->add_option("B", arguments->b, "Study file or database")->type_name("")->required();
@@ -49,7 +49,7 @@ Examples:
   campaign compare loose.toml dense.toml
   campaign compare quick.sqlite paper.sqlite sensitivity
   campaign compare before.sqlite after.sqlite settings --format csv)");
-  command->callback([arguments, &action] { action = [arguments] { return compare(*arguments); }; });
+  command->callback([arguments, &action] { action = [arguments] { return compare_campaigns(*arguments); }; });
 }
 
 }  // namespace cpt::cli

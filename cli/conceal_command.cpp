@@ -16,7 +16,7 @@ namespace {
 
 using namespace diagnosis::concealed;
 
-struct Arguments {
+struct ConcealArguments {
   std::filesystem::path plan;
   bool quiet = false;
   std::string executor;
@@ -50,7 +50,7 @@ std::vector<int> publish(const PlanFile& file, const std::vector<Truth>& truths,
   return made;
 }
 
-int conceal(const Arguments& arguments, campaign::Transport& transport, bool& ranks_lost) {
+int conceal(const ConcealArguments& arguments, campaign::Transport& transport, bool& ranks_lost) {
   const PlanFile file = read_plan_file(arguments.plan);
   const Plan& plan = file.plan;
   const std::vector<Truth> truths = sealed_truths(plan, file.study);
@@ -72,7 +72,7 @@ int conceal(const Arguments& arguments, campaign::Transport& transport, bool& ra
 }  // namespace
 
 void add_conceal(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ConcealArguments>();
   CLI::App* command = program.add_subcommand(
       "conceal", "Draw recordings with an effect that nobody knows, to try the diagnosis on");
   command->add_option("PLAN", arguments->plan, "NAME.toml: study, soundings, noise and how many cases")

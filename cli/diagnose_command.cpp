@@ -26,7 +26,7 @@ namespace {
 
 using namespace diagnosis;
 
-struct Arguments {
+struct DiagnoseArguments {
   std::vector<std::filesystem::path> requests;
   std::filesystem::path recordings;
   bool plan = false, quiet = false, no_report = false;
@@ -65,7 +65,7 @@ void diagnose_one(StudyRunner& runner, const RequestFile& asked, bool report) {
   fmt::print("report: {}\n", files.front().string());
 }
 
-void print_plan(const RequestFile& asked) {
+void print_request_plan(const RequestFile& asked) {
   print_remarks(asked.study);
   for (const SoundingData& sounding : soundings_of(asked))
     fmt::print("{}: {} realizations, kept in {}\n", sounding.request.name,
@@ -73,11 +73,11 @@ void print_plan(const RequestFile& asked) {
                sounding.study.study.database.string());
 }
 
-int run(const Arguments& arguments) {
+int diagnose_all(const DiagnoseArguments& arguments) {
   if (arguments.plan) {
     if (campaign::rank_from_environment() == 0)
       for (const auto& request : arguments.requests)
-        print_plan(read_request_file(request, arguments.recordings));
+        print_request_plan(read_request_file(request, arguments.recordings));
     return all_well;
   }
   return run_as_master(arguments.options, [&](campaign::Transport& transport, bool& ranks_lost) {
@@ -99,7 +99,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_diagnose(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<DiagnoseArguments>();
   CLI::App* command = program.add_subcommand(
       "diagnose", "Find out where recordings and simulation part, and which physics would close the gap");
   command
@@ -143,7 +143,7 @@ what is looked for; docs/diagnosis-method.md says how.
 )") + exit_code_help);
   command->callback([arguments, &action] {
     arguments->options.realization_command = realization_command(arguments->executor);
-    action = [arguments] { return run(*arguments); };
+    action = [arguments] { return diagnose_all(*arguments); };
   });
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/cells.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/set_quantity.hpp"
@@ -17,9 +18,7 @@
 namespace cpt::cli {
 namespace {
 
-constexpr double kPa = 1.0e3;  // [Pa]
-
-struct Arguments {
+struct ElementArguments {
   solver::ElementPath path = solver::ElementPath::triaxial;
   bool clay = false;
   bool drained = true;
@@ -32,7 +31,7 @@ struct Arguments {
   std::filesystem::path csv;
 };
 
-void choose_stress(const Arguments& arguments, solver::ElementTest& test) {
+void choose_stress(const ElementArguments& arguments, solver::ElementTest& test) {
   const bool split = arguments.sigma_v0_kPa.has_value() || arguments.sigma_h0_kPa.has_value();
   if (arguments.p_0_kPa && split) throw BadInput("give either --p0_kPa or --sigma_v0_kPa and --sigma_h0_kPa");
   if (split && !arguments.sigma_v0_kPa) throw BadInput("--sigma_h0_kPa needs --sigma_v0_kPa too");
@@ -42,7 +41,7 @@ void choose_stress(const Arguments& arguments, solver::ElementTest& test) {
   test.sigma_r = arguments.sigma_h0_kPa ? *arguments.sigma_h0_kPa * kPa : K_0 * test.sigma_a;
 }
 
-solver::ElementTest make_test(const Arguments& arguments) {
+solver::ElementTest make_test(const ElementArguments& arguments) {
   const auto profile = arguments.clay ? solver::Profile::homogeneous_clay : solver::Profile::homogeneous_sand;
   solver::Setup setup = solver::make_setup(profile, solver::Preset::standard);
   if (arguments.D_r_percent && (arguments.clay || arguments.e_0))
@@ -69,7 +68,7 @@ solver::ElementTest make_test(const Arguments& arguments) {
 }
 
 // Every `stride`-th row, and the last.
-results::Table make_table(const std::vector<solver::ElementRow>& rows, std::size_t stride) {
+results::Table path_table(const std::vector<solver::ElementRow>& rows, std::size_t stride) {
   results::Table table{{"eps_a", "eps_v", "q_kPa", "p_kPa", "e", "psi", "p_i_kPa"}, {}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i % stride != 0 && i + 1 != rows.size()) continue;
@@ -82,14 +81,14 @@ results::Table make_table(const std::vector<solver::ElementRow>& rows, std::size
   return table;
 }
 
-int element(const Arguments& arguments) {
+int element(const ElementArguments& arguments) {
   const solver::ElementResult result = solver::run_element_test(make_test(arguments));
   if (!arguments.csv.empty() && !result.rows.empty()) {
-    results::write_csv(arguments.csv, make_table(result.rows, 1));
+    results::write_csv(arguments.csv, path_table(result.rows, 1));
     fmt::print("{} rows: {}\n", result.rows.size(), arguments.csv.string());
   } else if (!result.rows.empty()) {
     const std::size_t stride = std::max<std::size_t>(1, (result.rows.size() - 1) / 25);
-    fmt::print("{}", results::format(make_table(result.rows, stride), results::Format::table));
+    fmt::print("{}", results::format(path_table(result.rows, stride), results::Format::table));
   }
   if (result.problem.empty()) return all_well;
   throw BadInput(fmt::format("the test did not run to its end: {}", result.problem));
@@ -97,7 +96,7 @@ int element(const Arguments& arguments) {
 
 void add_path(CLI::App& command, const char* name, const char* meaning, solver::ElementPath path,
               Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ElementArguments>();
   arguments->path = path;
   CLI::App* sub = command.add_subcommand(name, meaning);
   const auto number = [sub](const char* option, auto& value, const char* what) {

@@ -5,7 +5,7 @@
 namespace cpt::cli {
 namespace {
 
-constexpr ExitMeaning meanings[] = {
+constexpr ExitMeaning all_meanings[] = {
     {all_well, "done; every realization is completed"},
     {realizations_failed,
      "the campaign is finished, but some realizations failed: campaign query STUDY failures tells why"},
@@ -23,14 +23,14 @@ constexpr ExitMeaning meanings[] = {
 
 std::string help() {
   std::string text = "Exit codes:";
-  for (const ExitMeaning& exit : meanings)
+  for (const ExitMeaning& exit : all_meanings)
     text += fmt::format("\n  {}  {}", to_string(exit.code), exit.meaning);
   return text;
 }
 
 }  // namespace
 
-std::span<const ExitMeaning> exit_meanings() { return meanings; }
+std::span<const ExitMeaning> exit_meanings() { return all_meanings; }
 
 std::string to_string(ExitCode code) {
   return code == stopped_by_signal ? "128 + n" : std::to_string(static_cast<int>(code));

@@ -19,12 +19,12 @@
 namespace cpt::cli {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   std::filesystem::path source, to;
   std::string format = "csv";
 };
 
-void write(const std::filesystem::path& file, const std::string& text) {
+void write_text(const std::filesystem::path& file, const std::string& text) {
   results::write_atomically(file, text, "");
   fmt::print("{}\n", file.string());
 }
@@ -32,11 +32,11 @@ void write(const std::filesystem::path& file, const std::string& text) {
 void write_folder(const std::filesystem::path& folder, const std::vector<results::NamedTable>& tables) {
   results::make_folder(folder);
   for (const auto& [name, table] : tables)
-    write(folder / (name + ".csv"), results::format(table, results::Format::csv));
+    write_text(folder / (name + ".csv"), results::format(table, results::Format::csv));
 }
 
 // NAME-export, NAME.json or NAME.dat beside the database, if not said.
-std::filesystem::path target_of(const Arguments& arguments, const std::filesystem::path& database) {
+std::filesystem::path target_of(const ExportArguments& arguments, const std::filesystem::path& database) {
   std::error_code ignored;
   for (const std::filesystem::path& source : {arguments.source, database})
     if (std::filesystem::equivalent(arguments.to, source, ignored))
@@ -48,24 +48,24 @@ std::filesystem::path target_of(const Arguments& arguments, const std::filesyste
   return database.parent_path() / (database.stem().string() + ending);
 }
 
-int export_campaign(const Arguments& arguments) {
+int export_campaign(const ExportArguments& arguments) {
   const std::filesystem::path database = database_of(arguments.source);
   const std::filesystem::path to = target_of(arguments, database);
   const results::LedgerView ledger = open_ledger(arguments.source);
   if (arguments.format == "csv")
     write_folder(to, results::campaign_tables(ledger.database));
   else if (arguments.format == "json")
-    write(to, results::json_document(export_format, results::schema_version,
-                                     results::campaign_tables(ledger.database)));
+    write_text(to, results::json_document(export_format, results::schema_version,
+                                          results::campaign_tables(ledger.database)));
   else
-    write(to, results::dakota_table(results::read_snapshot(ledger)));
+    write_text(to, results::dakota_table(results::read_snapshot(ledger)));
   return all_well;
 }
 
 }  // namespace
 
 void add_export(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExportArguments>();
   CLI::App* command = program.add_subcommand(
       "export", "Write all that a campaign's database holds as tables for other programs");
   command->add_option("STUDY|DB", arguments->source, "Study file or database")->type_name("")->required();

@@ -17,13 +17,13 @@
 namespace cpt::cli {
 namespace {
 
-struct Arguments {
+struct ImportArguments {
   std::filesystem::path source, study, to;
   std::vector<std::string> columns;  // KEY=NAME
   std::vector<std::string> ignored;
 };
 
-parameters::SampleColumns columns_of(const Arguments& arguments) {
+parameters::SampleColumns columns_of(const ImportArguments& arguments) {
   parameters::SampleColumns columns;
   for (const std::string& entry : arguments.columns) {
     const auto equals = entry.find('=');
@@ -55,7 +55,7 @@ void tell(const results::Remarks& remarks, const std::filesystem::path& database
   for (const std::string& remark : remarks) fmt::print("{}\n", remark);
 }
 
-int import_export(const Arguments& arguments) {
+int import_export(const ImportArguments& arguments) {
   if (!arguments.study.empty() || !arguments.columns.empty() || !arguments.ignored.empty())
     throw BadInput(
         fmt::format("{} is an export, which has its study within: without --study, --column and --ignore",
@@ -66,7 +66,7 @@ int import_export(const Arguments& arguments) {
 }
 
 // A study that also runs the samples.
-int make_study(const Arguments& arguments, const StudyFile& study,
+int make_study(const ImportArguments& arguments, const StudyFile& study,
                const std::vector<parameters::Sample>& samples) {
   const std::vector<parameters::Sample> points = parameters::new_samples(study.study, samples);
   const std::string text = parameters::with_points(study.text, points);
@@ -77,7 +77,7 @@ int make_study(const Arguments& arguments, const StudyFile& study,
   return all_well;
 }
 
-int import_table(const Arguments& arguments) {
+int import_table(const ImportArguments& arguments) {
   if (arguments.study.empty())
     throw BadInput(
         fmt::format("{}: a table needs --study STUDY, which says what its inputs start from and in which "
@@ -93,7 +93,7 @@ int import_table(const Arguments& arguments) {
   return all_well;
 }
 
-int import(const Arguments& arguments) {
+int import(const ImportArguments& arguments) {
   std::error_code ignored;
   if (std::filesystem::exists(arguments.to, ignored))
     throw BadInput(fmt::format("--to {}: exists; name a new file", arguments.to.string()));
@@ -108,7 +108,7 @@ int import(const Arguments& arguments) {
 }  // namespace
 
 void add_import(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ImportArguments>();
   CLI::App* command = program.add_subcommand(
       "import", "Make a database of results from elsewhere, or a study of points to run");
   command

@@ -14,12 +14,12 @@ namespace {
 
 using results::Format;
 
-struct Arguments {
+struct ListArguments {
   std::string what;
   Format format = Format::table;
 };
 
-int list(const Arguments& arguments) {
+int list(const ListArguments& arguments) {
   for (const Listing& listing : listings())
     if (arguments.what == listing.name)
       fmt::print("{}", results::format(listing.make(arguments.format != Format::table), arguments.format));
@@ -29,7 +29,7 @@ int list(const Arguments& arguments) {
 }  // namespace
 
 void add_list(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ListArguments>();
   CLI::App* command = program.add_subcommand("list", "Print what there is to choose from");
   std::vector<std::string> names;
   std::string help = "WHAT is one of\n";

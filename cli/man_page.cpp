@@ -51,7 +51,7 @@ std::string subsection(const CommandEntry& command) {
   return text;
 }
 
-std::string section(const char* heading, const Listing& listing) {
+std::string manual_section(const char* heading, const Listing& listing) {
   std::string text = fmt::format(".SH {}\n", heading);
   for (const auto& row : listing.make(false).rows) text += item(text_of(row.front()), text_of(row.at(1)));
   return text;
@@ -79,7 +79,7 @@ std::string man_page(const CommandEntry& program) {
       {"EXIT STATUS", "exit-codes"}, {"ENVIRONMENT", "environment"}, {"FILES", "files"}};
   for (const auto& [heading, name] : sections)
     for (const Listing& listing : listings())
-      if (listing.name == name) text += section(heading, listing);
+      if (listing.name == name) text += manual_section(heading, listing);
   return text +
          ".SH SEE ALSO\n\\fBmpirun\\fR(1); the documentation in share/doc/campaign, where docs/reference.md "
          "has all "

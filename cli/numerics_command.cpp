@@ -14,12 +14,12 @@
 namespace cpt::cli {
 namespace {
 
-struct Arguments {
+struct NumericsArguments {
   std::vector<std::filesystem::path> sources;
   std::filesystem::path out = "docs/numerical-uncertainty.md";
 };
 
-int numerics(const Arguments& arguments) {
+int numerics(const NumericsArguments& arguments) {
   std::vector<reports::numerics::NumericsStudy> studies;
   for (const std::filesystem::path& source : arguments.sources)
     studies.push_back(
@@ -32,7 +32,7 @@ int numerics(const Arguments& arguments) {
 }  // namespace
 
 void add_numerics(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<NumericsArguments>();
   CLI::App* command = program.add_subcommand(
       "numerics",
       "What mesh, material points, time step, mass scaling and speed do to q_c, beside the repeats' noise");

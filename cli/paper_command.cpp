@@ -11,7 +11,7 @@
 namespace cpt::cli {
 namespace {
 
-struct Arguments {
+struct PaperArguments {
   std::filesystem::path folder, beside;
   std::filesystem::path out = "docs/paper.md";
   std::filesystem::path causes;
@@ -19,13 +19,13 @@ struct Arguments {
 
 using namespace reports::paper;
 
-std::vector<Cause> causes_of(const Arguments& arguments) {
+std::vector<Cause> causes_of(const PaperArguments& arguments) {
   if (!arguments.causes.empty()) return read_causes(arguments.causes);
   const std::filesystem::path usual = "docs/paper-causes.toml";
   return std::filesystem::exists(usual) ? read_causes(usual) : std::vector<Cause>{};
 }
 
-int paper(const Arguments& arguments) {
+int paper(const PaperArguments& arguments) {
   const Runs runs = read_runs(arguments.folder);
   const Runs beside = arguments.beside.empty() ? Runs{} : read_runs(arguments.beside);
   const auto files =
@@ -38,7 +38,7 @@ int paper(const Arguments& arguments) {
 }  // namespace
 
 void add_paper(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PaperArguments>();
   CLI::App* command = program.add_subcommand(
       "paper", "Hold the campaigns of examples/paper against the results of Yost et al. (2023)");
   command->add_option("FOLDER", arguments->folder, "Where their databases are")->type_name("")->required();

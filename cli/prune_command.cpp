@@ -23,7 +23,7 @@
 namespace cpt::cli {
 namespace {
 
-struct Arguments {
+struct PruneArguments {
   std::filesystem::path source;
   bool yes = false, other_solvers = false, failed = false, keep_size = false;
 };
@@ -43,7 +43,7 @@ std::set<std::string> asked_for(const std::filesystem::path& source) {
   return hashes;
 }
 
-std::vector<results::UnusedRun> chosen(const results::Database& database, const Arguments& arguments) {
+std::vector<results::UnusedRun> chosen(const results::Database& database, const PruneArguments& arguments) {
   const std::set<std::string> asked = asked_for(arguments.source);
   std::vector<results::UnusedRun> runs = results::unused_runs(database);
   const auto back =
@@ -95,7 +95,7 @@ void remove(results::Pruning& pruning, const std::vector<results::UnusedRun>& ru
   fmt::print("\n");
 }
 
-int prune(const Arguments& arguments) {
+int prune(const PruneArguments& arguments) {
   const std::filesystem::path file = database_of(arguments.source);
   const bool asks = !arguments.yes && campaign::is_terminal(stdin) && campaign::is_terminal(stdout);
   // From the naming to the removal nobody else writes.
@@ -124,7 +124,7 @@ int prune(const Arguments& arguments) {
 }  // namespace
 
 void add_prune(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PruneArguments>();
   CLI::App* command = program.add_subcommand(
       "prune", "List finished results that the study no longer asks for, and remove them on request");
   command->add_option("STUDY|DB", arguments->source, "Study file or database")->type_name("")->required();

@@ -14,7 +14,7 @@
 namespace cpt::cli {
 namespace {
 
-struct Arguments {
+struct QueryArguments {
   std::filesystem::path source;
   std::string what;
   std::string sql;
@@ -35,7 +35,7 @@ Examples:
   return help;
 }
 
-int query(const Arguments& arguments) {
+int query(const QueryArguments& arguments) {
   const bool sql = arguments.what == "sql";
   if (sql == arguments.sql.empty())
     throw BadInput(sql ? "query sql needs a statement: campaign query STUDY sql \"select ...\""
@@ -60,7 +60,7 @@ int query(const Arguments& arguments) {
 }  // namespace
 
 void add_query(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<QueryArguments>();
   CLI::App* command = program.add_subcommand("query", "Print results from a campaign's database");
   command->add_option("STUDY|DB", arguments->source, "Study file or database")->type_name("")->required();
   std::vector<std::string> names{"sql"};

@@ -22,7 +22,7 @@ namespace {
 
 using recordings::Recording;
 
-struct Arguments {
+struct RecordingArguments {
   std::filesystem::path file;
   std::vector<std::string> columns;  // QUANTITY=NAME
   recordings::ReadOptions options;
@@ -54,14 +54,14 @@ std::optional<double> known(const char* option, const std::optional<double>& val
   return value ? std::optional(*value * scale) : std::nullopt;
 }
 
-recordings::KnownGround known_ground(const Arguments& arguments) {
+recordings::KnownGround known_ground(const RecordingArguments& arguments) {
   return {known("--unit-weight", arguments.unit_weight, 5.0, 40.0, "kN/m3", 1e3),
           known("--water-table", arguments.water_table, -1e4, 1e4, "m", 1.0),
           known("--surcharge", arguments.surcharge, 0.0, 1e5, "kPa", 1e3),
           known("--area-quotient", arguments.area_quotient, 0.01, 1.0, "", 1.0)};
 }
 
-int show(const Arguments& arguments) {
+int show(const RecordingArguments& arguments) {
   recordings::ReadOptions options = arguments.options;
   options.columns = column_map(arguments.columns);
   std::filesystem::path out = arguments.out;
@@ -89,7 +89,7 @@ int show(const Arguments& arguments) {
 }  // namespace
 
 void add_recording(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RecordingArguments>();
   CLI::App* sub = program.add_subcommand(
       "recording", "Show what a measured sounding holds, what is odd about it, and plot it");
   sub->add_option("FILE", arguments->file, "GEF-CPT (.gef), AGS4 (.ags), Geotech (.cpt) or CSV")

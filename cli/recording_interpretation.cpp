@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "cli/cells.hpp"
+
 namespace cpt::cli {
 namespace {
 
@@ -14,12 +16,8 @@ using recordings::Recording;
 using results::Cell;
 using results::Table;
 
-constexpr double kPa = 1.0e3;        // [Pa]
-constexpr double mm_per_s = 1.0e-3;  // [m/s]
-constexpr std::size_t shown = 12;    // rows of a table to read
-
-Cell cell(double value) { return std::isnan(value) ? Cell{} : Cell(value); }
-Cell whole(int value) { return std::int64_t{value}; }
+constexpr double mm_per_s = 1.0e-3;    // [m/s]
+constexpr std::size_t most_rows = 12;  // rows of a table to read
 
 Table assumption_table(const Interpretation& it) {
   Table table{{"assumption", "value", "unit", "origin"}, {}};
@@ -56,7 +54,7 @@ Table speed_table(const std::vector<recordings::OddSpeed>& runs) {
 }
 
 /// A table to read: depths to the millimetre, other numbers to as many decimals; set in by two blanks.
-std::string to_read(Table table) {
+std::string table_to_read(Table table) {
   for (auto& row : table.rows)
     for (Cell& cell : row)
       if (double* value = std::get_if<double>(&cell)) {
@@ -82,7 +80,7 @@ std::string behaviour_text(const Interpretation& it) {
                         name_of(a.origin));
   if (!it.why_no_behaviour.empty()) text += fmt::format("  none: {}\n", it.why_no_behaviour);
   if (it.intervals.empty()) return text;
-  return text + to_read(behaviour_table(it)) +
+  return text + table_to_read(behaviour_table(it)) +
          fmt::format("  medians; intervals thinner than {:.2g} m have joined a neighbour\n",
                      it.least_interval);
 }
@@ -96,11 +94,12 @@ std::string spike_text(const Recording& r, const Interpretation& it) {
     if (n > 0) counts += fmt::format("{}{} of {}", counts.empty() ? "" : ", ", n, quantity);
   }
   std::vector<recordings::Spike> first(
-      it.spikes.begin(), it.spikes.begin() + static_cast<std::ptrdiff_t>(std::min(shown, it.spikes.size())));
+      it.spikes.begin(),
+      it.spikes.begin() + static_cast<std::ptrdiff_t>(std::min(most_rows, it.spikes.size())));
   std::string text = fmt::format("\nSpikes of single readings: {}; no value is changed\n", counts) +
-                     to_read(spike_table(r, first));
-  if (it.spikes.size() > shown)
-    text += fmt::format("  and {} more (--format json)\n", it.spikes.size() - shown);
+                     table_to_read(spike_table(r, first));
+  if (it.spikes.size() > most_rows)
+    text += fmt::format("  and {} more (--format json)\n", it.spikes.size() - most_rows);
   return text;
 }
 
@@ -118,12 +117,12 @@ std::string speed_text(const Interpretation& it) {
   std::vector<recordings::OddSpeed> longest = it.odd_speeds;
   std::stable_sort(longest.begin(), longest.end(),
                    [](const auto& a, const auto& b) { return a.readings > b.readings; });
-  if (longest.size() > shown) longest.resize(shown);
+  if (longest.size() > most_rows) longest.resize(most_rows);
   std::stable_sort(longest.begin(), longest.end(),
                    [](const auto& a, const auto& b) { return a.from < b.from; });
-  text += to_read(speed_table(longest));
-  if (it.odd_speeds.size() > shown)
-    text += fmt::format("  and {} shorter runs (--format json)\n", it.odd_speeds.size() - shown);
+  text += table_to_read(speed_table(longest));
+  if (it.odd_speeds.size() > most_rows)
+    text += fmt::format("  and {} shorter runs (--format json)\n", it.odd_speeds.size() - most_rows);
   return text;
 }
 

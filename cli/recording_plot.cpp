@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "cli/cells.hpp"
 #include "reports/depth_panels.hpp"
 #include "reports/palette.hpp"
 
@@ -15,8 +16,6 @@ namespace {
 using recordings::Interpretation;
 using recordings::Reading;
 using recordings::Recording;
-
-constexpr double kPa = 1.0e3, MPa = 1.0e6;  // [Pa]
 
 // By zone, from 1: fine soils blue, coarse ones yellow.
 constexpr std::array<std::string_view, 9> zone_colors = {

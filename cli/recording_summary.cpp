@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cli/cells.hpp"
 #include "cli/recording_interpretation.hpp"
 
 namespace cpt::cli {
@@ -17,13 +18,13 @@ using recordings::Recording;
 using results::Cell;
 using results::Table;
 
-struct Quantity {
+struct MeasuredQuantity {
   const char* name;
   const char* unit;
   double scale;  // of the unit, in SI
   double Reading::*place;
 };
-constexpr Quantity quantities[] = {
+constexpr MeasuredQuantity measured_quantities[] = {
     {"depth", "m", 1.0, &Reading::depth},
     {"length", "m", 1.0, &Reading::length},
     {"q_c", "kPa", 1e3, &Reading::q_c},
@@ -33,10 +34,6 @@ constexpr Quantity quantities[] = {
     {"speed", "mm/s", 1e-3, &Reading::speed},
     {"time", "s", 1.0, &Reading::time},
 };
-
-Cell cell(double value) { return std::isnan(value) ? Cell{} : Cell(value); }
-Cell whole(std::size_t value) { return static_cast<std::int64_t>(value); }
-Cell whole(int value) { return std::int64_t{value}; }
 
 Table facts_table(const Recording& r) {
   Table table{{"fact", "value", "unit"}, {}};
@@ -74,7 +71,7 @@ Table quantity_table(const Recording& r, const Interpretation& interpretation) {
                           whole(r.readings.size() - static_cast<std::size_t>(s.values)), cell(s.min / scale),
                           cell(s.median / scale), cell(s.max / scale)});
   };
-  for (const Quantity& quantity : quantities)
+  for (const MeasuredQuantity& quantity : measured_quantities)
     add(quantity.name, quantity.unit, quantity.scale, column(r, quantity.place));
   for (const DerivedColumn& derived : derived_columns(interpretation))
     if (std::string_view name = derived.name; name != "zone" && (name != "q_t" || interpretation.corrected))
@@ -112,7 +109,7 @@ std::string place(const recordings::Lines& lines) {
   return fmt::format("{} row{}, {}", lines.rows, lines.rows == 1 ? "" : "s", where);
 }
 
-std::string to_read(const Recording& r, const Interpretation& interpretation) {
+std::string summary_to_read(const Recording& r, const Interpretation& interpretation) {
   std::string text;
   for (const auto& row : facts_table(r).rows) {
     const auto& unit = std::get<std::string>(row[2]);
@@ -191,7 +188,7 @@ std::string summary(const Recording& recording, const Interpretation& interpreta
     case results::Format::table:
       break;
   }
-  return to_read(recording, interpretation);
+  return summary_to_read(recording, interpretation);
 }
 
 Table readings_table(const Recording& recording, const Interpretation& interpretation) {
@@ -204,7 +201,8 @@ Table readings_table(const Recording& recording, const Interpretation& interpret
     const Reading& reading = recording.readings[i];
     auto& row = table.rows.emplace_back();
     row.push_back(whole(reading.line));
-    for (const Quantity& quantity : quantities) row.push_back(cell(reading.*quantity.place / quantity.scale));
+    for (const MeasuredQuantity& quantity : measured_quantities)
+      row.push_back(cell(reading.*quantity.place / quantity.scale));
     row.push_back(whole(reading.predrilled ? 1 : 0));
     row.push_back(whole(reading.after_stop ? 1 : 0));
     for (const DerivedColumn& column : derived) row.push_back(cell(column.values[i]));

@@ -19,7 +19,7 @@
 namespace cpt::cli {
 namespace {
 
-struct Arguments {
+struct ReportArguments {
   std::filesystem::path source;
   std::filesystem::path directory;
   bool watch = false;
@@ -29,7 +29,7 @@ struct Arguments {
 };
 
 // NAME-report beside the database NAME.sqlite, or what the study says.
-std::filesystem::path report_directory(const Arguments& arguments) {
+std::filesystem::path report_directory(const ReportArguments& arguments) {
   if (!arguments.directory.empty()) return arguments.directory;
   if (names_study(arguments.source)) return read_study_file(arguments.source).study.report_dir;
   return arguments.source.parent_path() / (arguments.source.stem().string() + "-report");
@@ -44,7 +44,7 @@ void sleep(std::chrono::duration<double> time) {
 
 // Writes the report whenever the database has changed, until no realization is left to run. The last page
 // does not load itself anew.
-int watch(const Arguments& arguments, const std::filesystem::path& database,
+int watch(const ReportArguments& arguments, const std::filesystem::path& database,
           const std::filesystem::path& directory) {
   const campaign::StopSignals signals;
   results::LedgerWatch ledger(database);
@@ -70,7 +70,7 @@ int watch(const Arguments& arguments, const std::filesystem::path& database,
   return stopped_by_signal + campaign::StopSignals::received();
 }
 
-int report(const Arguments& arguments) {
+int report(const ReportArguments& arguments) {
   const std::filesystem::path database = database_of(arguments.source),
                               directory = report_directory(arguments);
   if (arguments.watch) return watch(arguments, database, directory);
@@ -84,7 +84,7 @@ int report(const Arguments& arguments) {
 }  // namespace
 
 void add_report(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReportArguments>();
   CLI::App* command = program.add_subcommand(
       "report", "Write figures and tables: tornado, sensitivity indices, q_c profiles, baseline and windows");
   command->add_option("STUDY|DB", arguments->source, "Study file or database")->type_name("")->required();

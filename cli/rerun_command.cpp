@@ -20,7 +20,7 @@
 namespace cpt::cli {
 namespace {
 
-struct Arguments {
+struct RerunArguments {
   std::filesystem::path study;
   int id = 0;
   int threads = 0;
@@ -53,7 +53,7 @@ std::optional<solver::Outcome> run_alone(const campaign::Order& order, const std
   return std::nullopt;
 }
 
-int compare(const results::StoredRun& stored, const solver::Outcome& outcome, int id) {
+int compare_runs(const results::StoredRun& stored, const solver::Outcome& outcome, int id) {
   if (stored.row.status != solver::to_string(outcome.status)) {
     fmt::print("realization {} differs: stored as {}, now {}{}\n", id, stored.row.status,
                solver::to_string(outcome.status), outcome.reason.empty() ? "" : ": " + outcome.reason);
@@ -74,7 +74,7 @@ int compare(const results::StoredRun& stored, const solver::Outcome& outcome, in
   return all_well;
 }
 
-int rerun(const Arguments& arguments) {
+int rerun(const RerunArguments& arguments) {
   const campaign::StopSignals signals;
   const StudyFile file = read_study_file(arguments.study);
   const parameters::Study& study = file.study;
@@ -86,13 +86,13 @@ int rerun(const Arguments& arguments) {
   const results::StoredRun stored = find_stored(file, order.setup, arguments.id);
   const std::optional<solver::Outcome> outcome = run_alone(order, arguments.executor);
   if (!outcome) return stopped_by_signal + campaign::StopSignals::received();
-  return compare(stored, *outcome, arguments.id);
+  return compare_runs(stored, *outcome, arguments.id);
 }
 
 }  // namespace
 
 void add_rerun(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RerunArguments>();
   CLI::App* command = program.add_subcommand(
       "rerun", "Run one realization again and say whether its curve is bit for bit the stored one");
   command->add_option("STUDY", arguments->study, "Study file that has been run")->type_name("")->required();

@@ -22,12 +22,12 @@ namespace {
 using namespace diagnosis;
 using namespace diagnosis::concealed;
 
-struct Arguments {
+struct RevealArguments {
   std::vector<std::filesystem::path> plans;
   std::filesystem::path out, note;
 };
 
-std::string text_of(const std::filesystem::path& file) {
+std::string file_text(const std::filesystem::path& file) {
   std::error_code why;
   std::optional<std::string> text = results::bytes_of(file, why);
   if (!text) throw BadInput(fmt::format("cannot read {} ({})", file.string(), why.message()));
@@ -111,14 +111,14 @@ reports::concealed::Benchmark opened(const std::filesystem::path& plan_file) {
   return benchmark;
 }
 
-int reveal(const Arguments& arguments) {
+int reveal(const RevealArguments& arguments) {
   std::vector<reports::concealed::Benchmark> benchmarks;
   try {
     for (const std::filesystem::path& plan : arguments.plans) benchmarks.push_back(opened(plan));
   } catch (const std::invalid_argument& problem) {
     throw BadInput(problem.what());
   }
-  const std::string note = arguments.note.empty() ? "" : text_of(arguments.note);
+  const std::string note = arguments.note.empty() ? "" : file_text(arguments.note);
   const auto files = reports::concealed::write_page(benchmarks, note, arguments.out);
   int cases = 0, right = 0;
   for (const auto& benchmark : benchmarks)
@@ -133,7 +133,7 @@ int reveal(const Arguments& arguments) {
 }  // namespace
 
 void add_reveal(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RevealArguments>();
   CLI::App* command =
       program.add_subcommand("reveal", "Open concealed cases once they are diagnosed, and score the answers");
   command->add_option("PLAN", arguments->plans, "Plans that were concealed; several make one page")

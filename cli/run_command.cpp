@@ -21,7 +21,7 @@
 namespace cpt::cli {
 namespace {
 
-struct Arguments {
+struct RunArguments {
   std::filesystem::path study;
   bool validate = false;
   bool plan = false;
@@ -31,7 +31,7 @@ struct Arguments {
   campaign::RunOptions options;
 };
 
-void report(const parameters::Study& study) {
+void write_report(const parameters::Study& study) {
   const results::Snapshot campaign = results::read_snapshot(study.database);
   for (const results::WindowRow& window : campaign.windows)
     if (!window.problem.empty())
@@ -46,9 +46,9 @@ int exit_code(const campaign::Summary& summary) {
   return summary.complete() ? all_well : realizations_failed;
 }
 
-constexpr int reload_seconds = 5;  // of the page while the campaign runs
+constexpr int reload_while_running = 5;  // of the page while the campaign runs
 
-int run_as_master(Arguments arguments, campaign::Transport& transport, bool& ranks_lost) {
+int run_study(RunArguments arguments, campaign::Transport& transport, bool& ranks_lost) {
   const campaign::Dismissal dismissal(transport);
   const StudyFile file = read_study_file(arguments.study);
   refuse_forgotten_growth(file.study);
@@ -56,7 +56,7 @@ int run_as_master(Arguments arguments, campaign::Transport& transport, bool& ran
   if (!arguments.no_report)
     arguments.options.write_page = [&study = file.study](bool running) {
       return write_study_page(results::read_snapshot(study.database), study.database, study.report_dir,
-                              running ? reload_seconds : 0)
+                              running ? reload_while_running : 0)
           .string();
     };
   const auto style = arguments.quiet ? campaign::ProgressDisplay::Style::silent
@@ -76,11 +76,11 @@ int run_as_master(Arguments arguments, campaign::Transport& transport, bool& ran
     fmt::print(stderr, "stopped by signal {}; the same command goes on where this one stopped\n",
                summary.signal);
   else if (!arguments.no_report)
-    report(file.study);
+    write_report(file.study);
   return exit_code(summary);
 }
 
-int run(const Arguments& arguments) {
+int run(const RunArguments& arguments) {
   const bool first_rank = campaign::rank_from_environment() == 0;
   if (arguments.validate || arguments.plan) {
     if (!first_rank) return all_well;
@@ -94,14 +94,14 @@ int run(const Arguments& arguments) {
   bool ranks_lost = false;
   if (!campaign::started_by_mpi()) {
     campaign::InProcessTransport transport;
-    return run_as_master(arguments, transport, ranks_lost);
+    return run_study(arguments, transport, ranks_lost);
   }
   campaign::MpiTransport transport;
   if (transport.rank() != 0) {
     campaign::serve_master(transport, arguments.options);
     return all_well;
   }
-  const int code = run_as_master(arguments, transport, ranks_lost);
+  const int code = run_study(arguments, transport, ranks_lost);
   if (ranks_lost) transport.abandon(code);
   return code;
 }
@@ -109,7 +109,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_run(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   campaign::RunOptions& options = arguments->options;
   CLI::App* command =
       program.add_subcommand("run", "Run a study, or go on with it: finished realizations are kept");

@@ -23,7 +23,7 @@ using reports::view::ScaleKind;
 using reports::view::ViewQuantity;
 using reports::view::ViewRequest;
 
-struct Arguments {
+struct ViewArguments {
   std::filesystem::path push, folder;
   std::vector<std::string> show, ranges;
   std::string around = "5";  // cone diameters, or metres with an m
@@ -42,7 +42,7 @@ const ViewQuantity& find_quantity(std::string_view option, const std::string& na
                              fmt::join(names, ", ")));
 }
 
-std::vector<std::string> shown(const Arguments& arguments) {
+std::vector<std::string> quantities_shown(const ViewArguments& arguments) {
   std::vector<std::string> names;
   for (const std::string& words : arguments.show)
     for (std::size_t begin = 0; begin <= words.size();) {
@@ -97,9 +97,9 @@ void check(bool good, std::string_view option, double value, std::string_view ra
   if (!good) throw BadInput(fmt::format("{} {}: must be {}", option, value, range));
 }
 
-ViewRequest plan(const Arguments& arguments, const results::StoredPush& push) {
+ViewRequest plan(const ViewArguments& arguments, const results::StoredPush& push) {
   ViewRequest request = arguments.request;
-  request.show = shown(arguments);
+  request.show = quantities_shown(arguments);
   for (const std::string& text : arguments.ranges) request.ranges.insert(parse_range(text, request.show));
   const double diameter = push.number("penetrometer.diameter_m");
   if (!arguments.whole)
@@ -113,7 +113,7 @@ ViewRequest plan(const Arguments& arguments, const results::StoredPush& push) {
   return request;
 }
 
-int view(const Arguments& arguments) {
+int view(const ViewArguments& arguments) {
   const results::StoredPush push = results::read_stored_push(arguments.push);
   const ViewRequest request = plan(arguments, push);
   const auto folder = arguments.folder.empty() ? push.folder / (push.name + "-view") : arguments.folder;
@@ -150,7 +150,7 @@ std::string list_of_quantities() {
 }  // namespace
 
 void add_view(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ViewArguments>();
   ViewRequest& request = arguments->request;
   CLI::App* command =
       program.add_subcommand("view", "Draw the stored fields of a push: frames and an animation");

@@ -60,7 +60,7 @@ CREATE TABLE next_measurement (
 CREATE TABLE reservation (position INTEGER PRIMARY KEY, sentence TEXT NOT NULL);
 )sql";
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -102,12 +102,12 @@ void store_answer(const std::filesystem::path& file, const AnswerText& text, con
       .bind(none.probability)
       .bind(diagnosis.location.p)
       .bind(diagnosis.recalibrated.rmse)
-      .bind(diagnosis.best ? diagnosis.with_best.rmse : nothing)
-      .bind(held_out ? held_out->rmse_null : nothing)
-      .bind(held_out ? held_out->rmse : nothing)
-      .bind(held_out ? held_out->per_cell : nothing)
-      .bind(held_out ? held_out->lower : nothing)
-      .bind(held_out ? held_out->upper : nothing)
+      .bind(diagnosis.best ? diagnosis.with_best.rmse : no_number)
+      .bind(held_out ? held_out->rmse_null : no_number)
+      .bind(held_out ? held_out->rmse : no_number)
+      .bind(held_out ? held_out->per_cell : no_number)
+      .bind(held_out ? held_out->lower : no_number)
+      .bind(held_out ? held_out->upper : no_number)
       .run();
   for (std::size_t k = 0; k < diagnosis.hypotheses.size(); ++k) {
     const Hypothesis& h = diagnosis.hypotheses[k];

@@ -43,7 +43,7 @@ VectorXd cumulative_vector(const VectorXd& v) {
   return sums;
 }
 
-bool overlap(RowRange a, RowRange b) { return a.first < b.end && b.first < a.end; }
+bool ranges_overlap(RowRange a, RowRange b) { return a.first < b.end && b.first < a.end; }
 
 }  // namespace
 
@@ -90,7 +90,7 @@ Step StepScan::best(const VectorXd& weighted, const std::vector<RowRange>& taken
     bool free = true;
     for (std::size_t r = first_[i]; r < first_[i + 1]; ++r) {
       score += sums(ranges_[r].end) - sums(ranges_[r].first);
-      for (const RowRange& t : taken) free = free && !overlap(t, ranges_[r]);
+      for (const RowRange& t : taken) free = free && !ranges_overlap(t, ranges_[r]);
     }
     const double statistic = score * score / information_[i];
     if (!free || statistic <= best.statistic) continue;

@@ -64,7 +64,7 @@ std::string_view line_of(std::string_view text, int number) {
 }
 
 // Bytes of the value that begins here: up to a comma with a blank behind it, a closing bracket, a comment.
-std::string_view value_at(std::string_view text) {
+std::string_view leading_value(std::string_view text) {
   std::size_t size = 0;
   while (size < text.size() && std::string_view("}]#").find(text[size]) == std::string_view::npos &&
          !(text[size] == ',' && (size + 1 == text.size() || text[size + 1] == ' ')))
@@ -93,7 +93,7 @@ std::string syntax_hint(std::string_view toml, Place place) {
   for (std::size_t equals = line.find('='); equals != line.npos; equals = line.find('=', equals + 1)) {
     const std::size_t begin = line.find_first_not_of(" \t", equals + 1);
     if (begin == line.npos || static_cast<int>(begin) > place.column) break;
-    const std::string_view value = value_at(line.substr(begin));
+    const std::string_view value = leading_value(line.substr(begin));
     // The reader stops within the value or, of 4,5 in braces, where it misses the next key's sign.
     if (static_cast<int>(begin + value.size()) + 3 < place.column) continue;
     if (const std::string hint = meant(value); !hint.empty()) return fmt::format("{}; {}", hint, rest);

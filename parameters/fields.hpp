@@ -12,6 +12,9 @@
 
 namespace cpt::parameters {
 
+/// Errors after which a table is read no further.
+inline constexpr std::size_t most_errors = 20;
+
 /// Collects the errors of one file.
 class ErrorList {
  public:

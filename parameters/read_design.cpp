@@ -22,11 +22,11 @@ struct Number {
   std::string_view key;
   std::vector<Kind> kinds;  // that know it
 };
-const std::array<Number, 5> numbers = {{{"runs", {Kind::latin_hypercube, Kind::sobol}},
-                                        {"first_runs", {Kind::latin_hypercube}},
-                                        {"trajectories", {Kind::morris}},
-                                        {"levels", {Kind::morris}},
-                                        {"seed", {Kind::morris, Kind::latin_hypercube, Kind::sobol}}}};
+const std::array<Number, 5> number_keys = {{{"runs", {Kind::latin_hypercube, Kind::sobol}},
+                                            {"first_runs", {Kind::latin_hypercube}},
+                                            {"trajectories", {Kind::morris}},
+                                            {"levels", {Kind::morris}},
+                                            {"seed", {Kind::morris, Kind::latin_hypercube, Kind::sobol}}}};
 
 class DesignReader {
  public:
@@ -40,7 +40,7 @@ class DesignReader {
     const auto place = std::find(design_kinds().begin(), design_kinds().end(), *kind);
     design_.kind = static_cast<Kind>(place - design_kinds().begin());
     sound = read_parameters() && sound;
-    for (const Number& number : numbers) sound = read_number(number) && sound;
+    for (const Number& number : number_keys) sound = read_number(number) && sound;
     sound = sound && growth();
     return sound && affordable() ? design_ : Design();
   }

@@ -31,7 +31,7 @@ constexpr std::array<OtherUnit, 9> other_units = {{{"kPa", "Pa", 1.0e-3},
                                                    {"deg", "rad", 180.0 / std::numbers::pi}}};
 
 // "the unit is kPa: 27900 Pa would be 27.9" where another unit brings the value into its range.
-std::string unit_hint(const Quantity& quantity, double value) {
+std::string other_unit_hint(const Quantity& quantity, double value) {
   std::string hint;
   for (const OtherUnit& other : other_units) {
     const double converted = value * other.factor;
@@ -67,7 +67,7 @@ std::optional<double> read_value(const Value& value, const Quantity& quantity, c
     errors.add(
         value.place, key,
         fmt::format("{} is outside the valid range {} to {}{}", *number, quantity.min, quantity.max, unit),
-        unit_hint(quantity, *number));
+        other_unit_hint(quantity, *number));
     return std::nullopt;
   }
   if (quantity.integer && *number != std::round(*number)) {
@@ -131,9 +131,9 @@ std::vector<Named> named_quantities(const Value& table, std::string_view section
   return found;
 }
 
-class Reader {
+class QuantitiesReader {
  public:
-  Reader(const solver::Setup& setup, bool any_soil, ErrorList& errors)
+  QuantitiesReader(const solver::Setup& setup, bool any_soil, ErrorList& errors)
       : setup_(setup), any_soil_(any_soil), errors_(errors) {}
 
   QuantitySections read(const Value& root) {
@@ -265,13 +265,13 @@ class Reader {
 
 QuantitySections read_quantities(const Value& root, const solver::Setup& setup, bool any_soil,
                                  ErrorList& errors) {
-  return Reader(setup, any_soil, errors).read(root);
+  return QuantitiesReader(setup, any_soil, errors).read(root);
 }
 
 std::vector<Setting> read_settings(const Value& table, std::string_view section,
                                    std::span<const std::string_view> except, const solver::Setup& setup,
                                    bool any_soil, ErrorList& errors) {
-  return Reader(setup, any_soil, errors).read_settings(table, section, except);
+  return QuantitiesReader(setup, any_soil, errors).read_settings(table, section, except);
 }
 
 }  // namespace cpt::parameters

@@ -19,8 +19,7 @@
 namespace cpt::parameters {
 namespace {
 
-constexpr std::size_t most_errors = 20;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 9> statuses = {
     "pending",      "running",    "completed",          "did_not_converge",
     "energy_drift", "time_limit", "invalid_parameters", "crashed",
@@ -46,9 +45,9 @@ bool is_void(std::string_view text) {
   return false;
 }
 
-class Reader {
+class SamplesReader {
  public:
-  Reader(const FieldTable& table, const Study& study, const SampleColumns& columns)
+  SamplesReader(const FieldTable& table, const Study& study, const SampleColumns& columns)
       : table_(table), study_(study), columns_(columns), errors_(table.file) {}
 
   SamplesOrErrors read() {
@@ -157,7 +156,7 @@ class Reader {
     if (repeats_the_names(fields)) return;
     Sample sample;
     sample.place = fields.front().place;
-    sample.responses.assign(study_.windows.size(), {none, none, none});
+    sample.responses.assign(study_.windows.size(), {no_value, no_value, no_value});
     Value inputs;
     inputs.place = sample.place;
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -203,13 +202,13 @@ class Reader {
   }
 
   double response(const Field& name, const Field& field) {
-    if (is_void(field.text)) return none;
+    if (is_void(field.text)) return no_value;
     const auto read = written_number(field.text);
     if (!read || !std::isfinite(*read)) {
       const std::string hint = number_hint(field.text);
       errors_.add(field.place, name.text, fmt::format("\"{}\" is not a finite number", field.text),
                   hint.empty() ? "empty or NaN where there is none" : hint);
-      return none;
+      return no_value;
     }
     return *read;
   }
@@ -272,7 +271,7 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 SamplesOrErrors read_samples(const FieldTable& table, const Study& study, const SampleColumns& columns) {
-  return Reader(table, study, columns).read();
+  return SamplesReader(table, study, columns).read();
 }
 
 std::vector<Sample> new_samples(const Study& study, const std::vector<Sample>& samples) {

@@ -24,7 +24,7 @@ struct Heading {
   const char* unit;  // the format's
   double Reading::*place;
 };
-constexpr std::array headings = {
+constexpr std::array scpt_headings = {
     Heading{"SCPT_DPTH", "depth", Dimension::length, "m", &Reading::depth},
     Heading{"SCPT_RES", "q_c", Dimension::pressure, "MN/m2", &Reading::q_c},
     Heading{"SCPT_FRES", "f_s", Dimension::pressure, "kN/m2", &Reading::f_s},
@@ -44,8 +44,8 @@ bool names(const std::string& wanted, const std::string& push) {
 // A group SCPT with what its headings mean. Another one may have other headings and units.
 struct Source {
   const AgsGroup* group;
-  std::array<std::optional<std::size_t>, headings.size()> places;
-  std::array<double, headings.size()> scales{};
+  std::array<std::optional<std::size_t>, scpt_headings.size()> places;
+  std::array<double, scpt_headings.size()> scales{};
   std::array<std::optional<std::size_t>, slopes.size()> slope_places;
   std::array<double, slopes.size()> slope_scales{};
 };
@@ -190,8 +190,8 @@ class PushReader {
 
   Source source(const AgsGroup& group) {
     Source source{&group, {}, {}, {}, {}};
-    for (std::size_t i = 0; i < headings.size(); ++i)
-      take(group, headings[i].name, headings[i].dimension, headings[i].unit, source.places[i],
+    for (std::size_t i = 0; i < scpt_headings.size(); ++i)
+      take(group, scpt_headings[i].name, scpt_headings[i].dimension, scpt_headings[i].unit, source.places[i],
            source.scales[i]);
     for (std::size_t i = 0; i < slopes.size(); ++i)
       take(group, slopes[i], Dimension::angle, "deg", source.slope_places[i], source.slope_scales[i]);
@@ -240,9 +240,10 @@ class PushReader {
       }
       Reading reading;
       reading.line = row.line;
-      for (std::size_t i = 0; i < headings.size(); ++i)
+      for (std::size_t i = 0; i < scpt_headings.size(); ++i)
         if (source.places[i])
-          reading.*headings[i].place = cell(row, *source.places[i], headings[i].name) * source.scales[i];
+          reading.*scpt_headings[i].place =
+              cell(row, *source.places[i], scpt_headings[i].name) * source.scales[i];
       if (source.slope_places[0] && source.slope_places[1])
         reading.inclination =
             resultant(cell(row, *source.slope_places[0], slopes[0]) * source.slope_scales[0],

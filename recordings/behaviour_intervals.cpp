@@ -10,7 +10,7 @@
 namespace cpt::recordings {
 namespace {
 
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+constexpr std::size_t no_run = static_cast<std::size_t>(-1);
 
 // A run of readings, in a chain of runs.
 struct Run {
@@ -18,7 +18,7 @@ struct Run {
   int zone = 0;
   double sum_of_I_c = 0.0;
   int with_I_c = 0;
-  std::size_t above = none, below = none;  // runs
+  std::size_t above = no_run, below = no_run;  // runs
   bool gone = false;
 };
 
@@ -34,7 +34,7 @@ class Intervals {
       thin_.pop();
       // It may have grown or gone since.
       if (runs_[index].gone || runs_[index].last != last || thickness != thickness_of(runs_[index])) continue;
-      if (const std::size_t into = nearer(runs_[index]); into != none) join(index, into);
+      if (const std::size_t into = nearer(runs_[index]); into != no_run) join(index, into);
     }
     std::vector<BehaviourInterval> intervals;
     std::vector<Run> kept;
@@ -61,7 +61,7 @@ class Intervals {
         Run run;
         run.first = i;
         run.zone = b.zone;
-        run.above = runs_.empty() ? none : runs_.size() - 1;
+        run.above = runs_.empty() ? no_run : runs_.size() - 1;
         if (!runs_.empty()) runs_.back().below = runs_.size();
         runs_.push_back(run);
       }
@@ -92,7 +92,7 @@ class Intervals {
 
   /// The neighbour that a run joins.
   [[nodiscard]] std::size_t nearer(const Run& run) const {
-    if (run.above == none || run.below == none) return run.above == none ? run.below : run.above;
+    if (run.above == no_run || run.below == no_run) return run.above == no_run ? run.below : run.above;
     const auto mean = [](const Run& r) { return r.with_I_c > 0 ? r.sum_of_I_c / r.with_I_c : not_given; };
     const double to_above = std::abs(mean(run) - mean(runs_[run.above]));
     const double to_below = std::abs(mean(run) - mean(runs_[run.below]));
@@ -103,7 +103,7 @@ class Intervals {
     absorb(into, index);
     // What the vanished run kept apart may now be one.
     for (const std::size_t next : {runs_[into].above, runs_[into].below})
-      if (next != none && runs_[next].zone == runs_[into].zone) absorb(into, next);
+      if (next != no_run && runs_[next].zone == runs_[into].zone) absorb(into, next);
     watch(into);
   }
 
@@ -115,8 +115,8 @@ class Intervals {
     grown.last = std::max(grown.last, lost.last);
     grown.sum_of_I_c += lost.sum_of_I_c;
     grown.with_I_c += lost.with_I_c;
-    if (lost.above != none) runs_[lost.above].below = lost.below;
-    if (lost.below != none) runs_[lost.below].above = lost.above;
+    if (lost.above != no_run) runs_[lost.above].below = lost.below;
+    if (lost.below != no_run) runs_[lost.below].above = lost.above;
     if (grown.above == index) grown.above = lost.above;
     if (grown.below == index) grown.below = lost.below;
   }

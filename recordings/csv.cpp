@@ -14,32 +14,32 @@
 namespace cpt::recordings {
 namespace {
 
-struct Quantity {
+struct CsvQuantity {
   std::string_view name;
   Dimension dimension;
   double Reading::*place;
 };
-constexpr std::array quantities = {
-    Quantity{"depth", Dimension::length, &Reading::depth},
-    Quantity{"length", Dimension::length, &Reading::length},
-    Quantity{"q_c", Dimension::pressure, &Reading::q_c},
-    Quantity{"f_s", Dimension::pressure, &Reading::f_s},
-    Quantity{"u_2", Dimension::pressure, &Reading::u_2},
-    Quantity{"inclination", Dimension::angle, &Reading::inclination},
-    Quantity{"speed", Dimension::speed, &Reading::speed},
-    Quantity{"time", Dimension::time, &Reading::time},
+constexpr std::array csv_quantities = {
+    CsvQuantity{"depth", Dimension::length, &Reading::depth},
+    CsvQuantity{"length", Dimension::length, &Reading::length},
+    CsvQuantity{"q_c", Dimension::pressure, &Reading::q_c},
+    CsvQuantity{"f_s", Dimension::pressure, &Reading::f_s},
+    CsvQuantity{"u_2", Dimension::pressure, &Reading::u_2},
+    CsvQuantity{"inclination", Dimension::angle, &Reading::inclination},
+    CsvQuantity{"speed", Dimension::speed, &Reading::speed},
+    CsvQuantity{"time", Dimension::time, &Reading::time},
 };
 constexpr std::array void_words = {"", "nan", "na", "n/a", "#n/a", "<na>", "null", "none"};  // in lower case
 constexpr const char* known_quantities =
     "depth_m, length_m, q_c_MPa, f_s_kPa, u_2_kPa, inclination_deg, speed_mm_per_s, time_s";
 
 struct Meaning {
-  const Quantity* quantity;
+  const CsvQuantity* quantity;
   double scale;
 };
 
 std::optional<Meaning> meaning_of(std::string_view name) {
-  for (const Quantity& quantity : quantities) {
+  for (const CsvQuantity& quantity : csv_quantities) {
     if (!name.starts_with(quantity.name) || name.size() <= quantity.name.size() + 1 ||
         name[quantity.name.size()] != '_' || name.find_first_of(" ([") != name.npos)
       continue;
@@ -49,21 +49,21 @@ std::optional<Meaning> meaning_of(std::string_view name) {
   return std::nullopt;
 }
 
-struct Place {
+struct CommentEntry {
   const char* name;
   double Recording::*place;
   double scale;
 };
-constexpr std::array places = {
-    Place{"x_m", &Recording::x, 1.0},
-    Place{"y_m", &Recording::y, 1.0},
-    Place{"elevation_m", &Recording::elevation, 1.0},
-    Place{"predrilled_m", &Recording::predrilled_depth, 1.0},
-    Place{"cone_area_cm2", &Recording::cone_area, 1e-4},
-    Place{"area_quotient", &Recording::area_quotient, 1.0},
+constexpr std::array comment_entries = {
+    CommentEntry{"x_m", &Recording::x, 1.0},
+    CommentEntry{"y_m", &Recording::y, 1.0},
+    CommentEntry{"elevation_m", &Recording::elevation, 1.0},
+    CommentEntry{"predrilled_m", &Recording::predrilled_depth, 1.0},
+    CommentEntry{"cone_area_cm2", &Recording::cone_area, 1e-4},
+    CommentEntry{"area_quotient", &Recording::area_quotient, 1.0},
 };
 
-struct Taken {
+struct TakenColumn {
   std::size_t column;  // from 0
   Meaning meaning;
   std::string quantity;
@@ -103,10 +103,10 @@ class CsvReader {
     const std::string_view text = trimmed(comment.substr(equals + 1));
     if (key == "id") recording_.id = std::string(text);
     if (key == "date") recording_.date = std::string(text);
-    for (const Place& place : places) {
-      if (key != place.name) continue;
+    for (const CommentEntry& entry : comment_entries) {
+      if (key != entry.name) continue;
       if (const auto value = lone_number(text))
-        recording_.*(place.place) = *value * place.scale;
+        recording_.*(entry.place) = *value * entry.scale;
       else
         unknown_.add(line.number, key, text);
     }
@@ -128,7 +128,7 @@ class CsvReader {
     list_left(names);
     const auto has = [&](double Reading::*place) {
       return std::any_of(taken_.begin(), taken_.end(),
-                         [&](const Taken& taken) { return taken.meaning.quantity->place == place; });
+                         [&](const TakenColumn& taken) { return taken.meaning.quantity->place == place; });
     };
     const std::string hint = "columns of the file: " + std::string(trimmed(line.text)).substr(0, 200);
     if (!has(&Reading::q_c))
@@ -156,7 +156,7 @@ class CsvReader {
       if (line.number <= names_.number || text.starts_with('#') || !(may_hold || point)) continue;
       Problems told_later("");
       const std::vector<PlacedText> fields = fields_of(line, separator_, told_later);
-      for (const Taken& taken : taken_)
+      for (const TakenColumn& taken : taken_)
         if (taken.column < fields.size()) mark_.hear(trimmed(fields[taken.column].text));
     }
   }
@@ -165,7 +165,7 @@ class CsvReader {
             const std::string& column, bool asked) {
     const auto meaning = meaning_of(quantity);
     if (!meaning) return problems_.add(0, 0, "quantity " + in_quotes(quantity), known_quantities);
-    const bool taken = std::any_of(taken_.begin(), taken_.end(), [&](const Taken& other) {
+    const bool taken = std::any_of(taken_.begin(), taken_.end(), [&](const TakenColumn& other) {
       return other.meaning.quantity == meaning->quantity;
     });
     if (taken && !asked) return;  // the map comes before the file's own names
@@ -185,7 +185,8 @@ class CsvReader {
   void list_left(const std::vector<PlacedText>& names) {
     std::string left;
     for (std::size_t i = 0; i < names.size(); ++i)
-      if (std::none_of(taken_.begin(), taken_.end(), [&](const Taken& taken) { return taken.column == i; }))
+      if (std::none_of(taken_.begin(), taken_.end(),
+                       [&](const TakenColumn& taken) { return taken.column == i; }))
         left += (left.empty() ? "" : ", ") + (names[i].text.empty() ? "one without a name" : names[i].text);
     if (!left.empty())
       recording_.remarks.push_back({{}, "columns: " + left, "not read", "the column map does not name them"});
@@ -210,7 +211,7 @@ class CsvReader {
               : "is the line cut off, or do its numbers have decimal commas?");
     Reading reading;
     reading.line = line.number;
-    for (const Taken& taken : taken_) {
+    for (const TakenColumn& taken : taken_) {
       const PlacedText& field = fields[taken.column];
       const std::string_view text = trimmed(field.text);
       if (is_void(text)) continue;
@@ -234,7 +235,7 @@ class CsvReader {
   const ReadOptions& options_;
   Recording& recording_;
   Problems& problems_;
-  std::vector<Taken> taken_;
+  std::vector<TakenColumn> taken_;
   DecimalMark mark_;
   UnknownFacts unknown_;
   Line names_{0, {}};

@@ -4,10 +4,11 @@
 
 #include <cmath>
 
+#include "recordings/units.hpp"
+
 namespace cpt::recordings {
 namespace {
 
-constexpr double kPa = 1.0e3;                   // [Pa]
 constexpr double largest_stress = 1.0e5 * kPa;  // [Pa]
 
 }  // namespace

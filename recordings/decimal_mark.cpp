@@ -8,8 +8,6 @@
 namespace cpt::recordings {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// The text with a point in place of its only comma, which stands before a digit; "" if it has another form.
 std::string with_point(std::string_view text) {
   const std::size_t comma = text.find(',');

@@ -57,7 +57,7 @@ void append(std::string& text, char32_t c) {
 }
 
 /// Where in a text one is.
-struct Place {
+struct Position {
   int line = 1, column = 1;
   char before = '\0';
   void step(char c) {
@@ -69,13 +69,13 @@ struct Place {
     before = c;
   }
   /// Of the character that comes next.
-  [[nodiscard]] Place next() const {
-    return before == '\n' || before == '\r' ? Place{line + 1, 1, '\0'} : *this;
+  [[nodiscard]] Position next() const {
+    return before == '\n' || before == '\r' ? Position{line + 1, 1, '\0'} : *this;
   }
 };
 
-Place place_at(std::string_view text, std::size_t at) {
-  Place place;
+Position position_at(std::string_view text, std::size_t at) {
+  Position place;
   for (const char c : text.substr(0, at)) place.step(c);
   return place.next();
 }
@@ -92,7 +92,7 @@ std::string text_of_utf16(std::string_view bytes, bool big_endian, Decoded& resu
     if (c >= 0xD800 && c < 0xE000) {
       const char32_t low = c < 0xDC00 && at + 2 < end ? unit(at + 2) : 0;
       if (low < 0xDC00 || low >= 0xE000) {
-        const Place place = place_at(text, text.size());
+        const Position place = position_at(text, text.size());
         result.problem = {place.line, place.column, "half a character of UTF-16", "whole ones",
                           "the file is damaged here"};
         return text;
@@ -104,7 +104,7 @@ std::string text_of_utf16(std::string_view bytes, bool big_endian, Decoded& resu
   }
   // Programs that know bytes alone end such a file with a mark or a zero of one byte.
   if (end < bytes.size() && bytes.back() != end_mark && bytes.back() != '\0' && bytes.back() != '\n') {
-    const Place place = place_at(text, text.size());
+    const Position place = position_at(text, text.size());
     result.problem = {place.line, place.column, "half a character of UTF-16", "whole ones",
                       "the file seems to be cut off"};
   }
@@ -141,9 +141,9 @@ std::string_view without_tail(std::string_view bytes, Decoded& result) {
 
 void take(std::string_view bytes, Decoded& result) {
   result.text.reserve(bytes.size());
-  Place place;
+  Position place;
   const auto stop = [&](std::string found, std::string hint) {
-    const Place here = place.next();
+    const Position here = place.next();
     result.problem = {here.line, here.column, std::move(found), "text", std::move(hint)};
   };
   for (std::size_t at = 0; at < bytes.size();) {

@@ -17,7 +17,7 @@ namespace {
 
 // Where a quantity goes; x and y are the inclination's two components.
 enum class Part { value, x, y };
-struct Quantity {
+struct GefQuantity {
   int number;
   const char* name;
   Dimension dimension;
@@ -25,23 +25,23 @@ struct Quantity {
   double Reading::*place;
   Part part = Part::value;
 };
-constexpr std::array quantities = {
-    Quantity{1, "length", Dimension::length, "m", &Reading::length},
-    Quantity{2, "q_c", Dimension::pressure, "MPa", &Reading::q_c},
-    Quantity{3, "f_s", Dimension::pressure, "MPa", &Reading::f_s},
-    Quantity{6, "u_2", Dimension::pressure, "MPa", &Reading::u_2},
-    Quantity{8, "inclination", Dimension::angle, "degrees", &Reading::inclination},
-    Quantity{9, "inclination N-S", Dimension::angle, "degrees", &Reading::inclination, Part::x},
-    Quantity{10, "inclination E-W", Dimension::angle, "degrees", &Reading::inclination, Part::y},
-    Quantity{11, "corrected depth", Dimension::length, "m", &Reading::depth},
-    Quantity{12, "time", Dimension::time, "s", &Reading::time},
-    Quantity{21, "inclination x", Dimension::angle, "degrees", &Reading::inclination, Part::x},
-    Quantity{22, "inclination y", Dimension::angle, "degrees", &Reading::inclination, Part::y},
+constexpr std::array gef_quantities = {
+    GefQuantity{1, "length", Dimension::length, "m", &Reading::length},
+    GefQuantity{2, "q_c", Dimension::pressure, "MPa", &Reading::q_c},
+    GefQuantity{3, "f_s", Dimension::pressure, "MPa", &Reading::f_s},
+    GefQuantity{6, "u_2", Dimension::pressure, "MPa", &Reading::u_2},
+    GefQuantity{8, "inclination", Dimension::angle, "degrees", &Reading::inclination},
+    GefQuantity{9, "inclination N-S", Dimension::angle, "degrees", &Reading::inclination, Part::x},
+    GefQuantity{10, "inclination E-W", Dimension::angle, "degrees", &Reading::inclination, Part::y},
+    GefQuantity{11, "corrected depth", Dimension::length, "m", &Reading::depth},
+    GefQuantity{12, "time", Dimension::time, "s", &Reading::time},
+    GefQuantity{21, "inclination x", Dimension::angle, "degrees", &Reading::inclination, Part::x},
+    GefQuantity{22, "inclination y", Dimension::angle, "degrees", &Reading::inclination, Part::y},
 };
 
-struct Taken {
+struct TakenGefColumn {
   std::size_t index;  // of the column, from 0
-  const Quantity* quantity;
+  const GefQuantity* quantity;
   double scale;
 };
 
@@ -77,11 +77,11 @@ class DataReader {
     std::string left;
     for (std::size_t i = 0; i < header_.columns.size(); ++i) {
       const GefColumn& column = header_.columns[i];
-      const auto* quantity = std::find_if(quantities.begin(), quantities.end(),
-                                          [&](const Quantity& q) { return q.number == column.quantity; });
+      const auto* quantity = std::find_if(gef_quantities.begin(), gef_quantities.end(),
+                                          [&](const GefQuantity& q) { return q.number == column.quantity; });
       const bool twice = std::any_of(taken_.begin(), taken_.end(),
-                                     [&](const Taken& taken) { return taken.quantity == quantity; });
-      if (quantity == quantities.end() || twice) {
+                                     [&](const TakenGefColumn& taken) { return taken.quantity == quantity; });
+      if (quantity == gef_quantities.end() || twice) {
         left += fmt::format("{}{} ({})", left.empty() ? "" : ", ", column.name.empty() ? "?" : column.name,
                             twice ? fmt::format("quantity {} again", column.quantity)
                                   : fmt::format("quantity {}", column.quantity));
@@ -114,7 +114,7 @@ class DataReader {
   }
 
   void require(double Reading::*one, double Reading::*other, const char* what) {
-    if (std::none_of(taken_.begin(), taken_.end(), [&](const Taken& t) {
+    if (std::none_of(taken_.begin(), taken_.end(), [&](const TakenGefColumn& t) {
           return t.quantity->place == one || (other != nullptr && t.quantity->place == other);
         }))
       problems_.add(static_cast<int>(header_.data), 1, "a header without it", what,
@@ -183,7 +183,7 @@ class DataReader {
     const std::string_view text = take_text();
     if (listening_) {
       if (record_.size() == columns)
-        for (const Taken& taken : taken_) mark_.hear(record_[taken.index].text);
+        for (const TakenGefColumn& taken : taken_) mark_.hear(record_[taken.index].text);
     } else {
       ++recording_.rows_read;
       if (!text.empty()) keep_text(text);
@@ -251,7 +251,7 @@ class DataReader {
     reading.line = record_line_;
     double x = not_given, y = not_given;
     bool blank = false;
-    for (const Taken& taken : taken_) {
+    for (const TakenGefColumn& taken : taken_) {
       const Field& field = record_[taken.index];
       blank = blank || field.text.empty();
       double si = not_given;
@@ -276,7 +276,7 @@ class DataReader {
   GefHeader header_;
   Recording& recording_;
   Problems& problems_;
-  std::vector<Taken> taken_;
+  std::vector<TakenGefColumn> taken_;
   std::vector<Field> record_;
   int record_line_ = 0;
   Lines undeclared_blank_, texts_;

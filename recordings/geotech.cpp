@@ -6,21 +6,19 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <set>
 
 #include "recordings/clock.hpp"
 #include "recordings/decimal_mark.hpp"
+#include "recordings/units.hpp"
 #include "recordings/unknown_facts.hpp"
 
 namespace cpt::recordings {
 namespace {
 
-constexpr double kPa = 1.0e3, MPa = 1.0e6;           // [Pa]
-constexpr double mm_per_s = 1.0e-3;                  // [m/s]
-constexpr double degree = std::numbers::pi / 180.0;  // [rad]
-constexpr double cm2 = 1.0e-4;                       // [m2]
+constexpr double mm_per_s = 1.0e-3;  // [m/s]
+constexpr double cm2 = 1.0e-4;       // [m2]
 
 struct Key {
   std::string_view name;

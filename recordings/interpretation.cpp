@@ -9,11 +9,6 @@ namespace {
 constexpr double thinnest = 0.2;        // [m] interval that is told
 constexpr double thinnest_share = 0.1;  // [-] of the sounding, where that is less
 
-bool has(const Recording& recording, double Reading::*quantity) {
-  return std::any_of(recording.readings.begin(), recording.readings.end(),
-                     [&](const Reading& reading) { return !std::isnan(reading.*quantity); });
-}
-
 Origin origin(const std::optional<double>& given) { return given ? Origin::given : Origin::assumed; }
 
 bool possible_quotient(double a) { return a > 0.0 && a <= 1.0; }

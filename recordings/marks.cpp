@@ -6,22 +6,22 @@
 #include <functional>
 
 #include "recordings/settle.hpp"
+#include "recordings/units.hpp"
 
 namespace cpt::recordings {
 namespace {
 
-constexpr double kPa = 1.0e3, MPa = 1.0e6;        // [Pa]
 constexpr double pause = 5.0;                     // [s] beyond an ordinary step: the push stood still
 constexpr double least_q_c = 10.0 * kPa;          // medians outside of these are
 constexpr double largest_q_c = 150.0 * MPa;       // not those of a soil
 constexpr double largest_friction_ratio = 0.3;    // [-] of medians
 constexpr double smallest_friction_ratio = 2e-5;  // [-]
 
-struct Quantity {
+struct Sensor {
   const char* name;
   double Reading::*value;
 };
-constexpr Quantity quantities[] = {{"q_c", &Reading::q_c}, {"f_s", &Reading::f_s}, {"u_2", &Reading::u_2}};
+constexpr Sensor sensors[] = {{"q_c", &Reading::q_c}, {"f_s", &Reading::f_s}, {"u_2", &Reading::u_2}};
 
 // What an ordinary step takes: median time and median length of steps that go down.
 struct Step {
@@ -48,7 +48,7 @@ std::string depths_of(const std::vector<double>& depths) {
 }
 
 void remark_on_voids(Recording& recording) {
-  for (const Quantity& quantity : quantities) {
+  for (const Sensor& quantity : sensors) {
     Lines voids;
     for (const Reading& reading : recording.readings)
       if (std::isnan(reading.*quantity.value)) voids.add(reading.line);
@@ -102,8 +102,8 @@ void remark_on_magnitudes(Recording& recording) {
                [](const Reading& r) { return r.q_c < 0.0; });
   remark_where("values beyond 500 MPa", "no sensor reaches so far: perhaps a void that is not declared",
                [](const Reading& r) {
-                 return std::any_of(std::begin(quantities), std::end(quantities),
-                                    [&](const Quantity& q) { return std::abs(r.*q.value) > 500.0 * MPa; });
+                 return std::any_of(std::begin(sensors), std::end(sensors),
+                                    [&](const Sensor& q) { return std::abs(r.*q.value) > 500.0 * MPa; });
                });
 }
 

@@ -6,18 +6,13 @@
 namespace cpt::recordings {
 namespace {
 
-constexpr double reach = 0.05;        // [m] above and below a reading, or more for a coarse clock
-constexpr double enough = 20.0;       // [-] steps of the clock, for 5 % of the speed
-constexpr double least = 8.0;         // [-] steps of the clock
-constexpr std::size_t most = 200;     // readings above and below
-constexpr double least_reach = 1e-6;  // [m]
-constexpr double rounding = 1e-5;     // [m/s]
-constexpr double standing = 0.5e-3;   // [m/s] less is the end of a push, not its speed
-
-bool has(const Recording& recording, double Reading::*quantity) {
-  return std::any_of(recording.readings.begin(), recording.readings.end(),
-                     [&](const Reading& reading) { return !std::isnan(reading.*quantity); });
-}
+constexpr double reach = 0.05;             // [m] above and below a reading, or more for a coarse clock
+constexpr double enough_steps = 20.0;      // [-] steps of the clock, for 5 % of the speed
+constexpr double least_steps = 8.0;        // [-] steps of the clock
+constexpr std::size_t most = 200;          // readings above and below
+constexpr double least_reach = 1e-6;       // [m]
+constexpr double rounding = 1e-5;          // [m/s]
+constexpr double standing_speed = 0.5e-3;  // [m/s] less is the end of a push, not its speed
 
 double along(const Reading& reading) { return std::isnan(reading.length) ? reading.depth : reading.length; }
 
@@ -39,7 +34,7 @@ double speed_around(const std::vector<Reading>& readings, std::size_t at, double
   const auto time = [&] { return readings[last].time - readings[first].time; };
   const auto wanted = [&](std::size_t i) {
     return !std::isnan(readings[i].time) &&
-           (std::abs(readings[i].depth - readings[at].depth) <= reach || time() < enough * clock);
+           (std::abs(readings[i].depth - readings[at].depth) <= reach || time() < enough_steps * clock);
   };
   for (bool grows = true; grows;) {
     grows = false;
@@ -54,7 +49,7 @@ double speed_around(const std::vector<Reading>& readings, std::size_t at, double
     }
   }
   const double length = along(readings[last]) - along(readings[first]);
-  return time() >= least * clock && length > least_reach ? length / time() : not_given;
+  return time() >= least_steps * clock && length > least_reach ? length / time() : not_given;
 }
 
 }  // namespace
@@ -75,7 +70,7 @@ PushSpeed push_speed(const Recording& recording) {
                          : std::isnan(readings[i].time)         ? not_given
                                                                 : speed_around(readings, i, clock);
     const bool starts = readings[i].after_stop && result.source == SpeedSource::recorded;
-    if (!starts && std::abs(speed) >= standing) result.speed[i] = speed;
+    if (!starts && std::abs(speed) >= standing_speed) result.speed[i] = speed;
   }
   return result;
 }

@@ -44,6 +44,11 @@ std::vector<double> column(const Recording& recording, double Reading::*quantity
   return values;
 }
 
+bool has(const Recording& recording, double Reading::*quantity) {
+  return std::any_of(recording.readings.begin(), recording.readings.end(),
+                     [&](const Reading& reading) { return !std::isnan(reading.*quantity); });
+}
+
 Spread spread(const std::vector<double>& values) {
   std::vector<double> known;
   for (const double value : values)

@@ -91,6 +91,8 @@ struct Recording {
 
 /// One quantity of all readings: column(recording, &Reading::q_c).
 [[nodiscard]] std::vector<double> column(const Recording& recording, double Reading::*quantity);
+/// Whether any reading has a value of it.
+[[nodiscard]] bool has(const Recording& recording, double Reading::*quantity);
 
 /// How a quantity is spread; NaN if there is no value.
 struct Spread {

@@ -14,11 +14,6 @@ constexpr double slack = 0.02;                                // [m] rounding of
 
 bool known(double value) { return !std::isnan(value); }
 
-bool has(const Recording& recording, double Reading::*quantity) {
-  return std::any_of(recording.readings.begin(), recording.readings.end(),
-                     [&](const Reading& reading) { return known(reading.*quantity); });
-}
-
 void turn_sign(Recording& recording, double Reading::*quantity, const char* name) {
   Lines negative;
   bool positive = false;

@@ -12,8 +12,6 @@ constexpr double largest = 1.0e15;
 
 constexpr std::string_view minus = "\u2212";
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// As std::from_chars wants it.
 std::string plain(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);

@@ -42,6 +42,7 @@ struct Decoded {
 
 /// Ends may be LF, CR LF or CR.
 [[nodiscard]] std::vector<Line> lines_of(std::string_view text);
+[[nodiscard]] inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 /// Place of a part of `line` in characters, from 1.
 [[nodiscard]] int column_of(std::string_view line, std::string_view part);

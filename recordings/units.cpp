@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 
 #include "recordings/text.hpp"
 
@@ -17,12 +16,11 @@ struct Unit {
   double scale;
 };
 
-constexpr double degree = std::numbers::pi / 180.0;  // [rad]
-constexpr double kgf = 9.80665;                      // [N]
-constexpr double lbf = 4.4482216152605;              // [N]
-constexpr double foot = 0.3048, inch = 0.0254;       // [m]
+constexpr double kgf = 9.80665;                 // [N]
+constexpr double lbf = 4.4482216152605;         // [N]
+constexpr double foot = 0.3048, inch = 0.0254;  // [m]
 using enum Dimension;
-constexpr Unit units[] = {
+constexpr Unit known_labels[] = {
     {pressure, "mpa", 1e6},
     {pressure, "mn/m2", 1e6},
     {pressure, "kpa", 1e3},
@@ -106,7 +104,7 @@ constexpr std::string_view no_units[] = {"",     "-",   "--",  "?",  "1",       
                                          "none", "n/a", "nvt", "na", "onbekend", "unknown"};
 
 /// Lower case; squares as "2"; without blanks, points and signs of multiplication.
-std::string normal(std::string_view label) {
+std::string normal_spelling(std::string_view label) {
   struct Spelling {
     std::string_view part, instead;
   };
@@ -126,8 +124,8 @@ std::string normal(std::string_view label) {
 }
 
 std::optional<double> scale_of_word(Dimension dimension, std::string_view label) {
-  const std::string text = normal(label);
-  for (const Unit& unit : units)
+  const std::string text = normal_spelling(label);
+  for (const Unit& unit : known_labels)
     if (unit.dimension == dimension && unit.label == text) return unit.scale;
   return std::nullopt;
 }
@@ -152,7 +150,7 @@ std::optional<double> unit_of(const UnitLabel& unit, Recording& recording) {
   const Lines lines{0, unit.line, unit.line};
   const std::string found = fmt::format("unit of {} is {}", unit.what, in_quotes(unit.label));
   const bool none =
-      std::find(std::begin(no_units), std::end(no_units), normal(unit.label)) != std::end(no_units);
+      std::find(std::begin(no_units), std::end(no_units), normal_spelling(unit.label)) != std::end(no_units);
   if (!scale && !none) return std::nullopt;
   if (!scale)
     recording.remarks.push_back(

@@ -1,6 +1,7 @@
 // Units as files write them.
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,9 @@
 #include "recordings/recording.hpp"
 
 namespace cpt::recordings {
+
+inline constexpr double kPa = 1.0e3, MPa = 1.0e6;           // [Pa]
+inline constexpr double degree = std::numbers::pi / 180.0;  // [rad]
 
 enum class Dimension { pressure, length, angle, time, speed, area };
 

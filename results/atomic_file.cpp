@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <string>
 
+#include "results/file_lock.hpp"
 #include "results/file_system.hpp"
 #include "results/refusal.hpp"
 
@@ -67,13 +68,6 @@ fs::path temporary_of(const fs::path& file) {
   return file.parent_path() / file.filename().string().substr(0, longest_name - ending.size()).append(ending);
 }
 
-bool still_named(int descriptor, const fs::path& file) {
-  struct stat held {};
-  struct stat named {};
-  return ::fstat(descriptor, &held) == 0 && ::stat(file.c_str(), &named) == 0 &&
-         held.st_ino == named.st_ino && held.st_dev == named.st_dev;
-}
-
 /// Opens it empty, once no other program writes it; where the file system knows no locks, without waiting.
 Descriptor open_temporary(const fs::path& temporary) {
   for (;;) {
@@ -86,7 +80,7 @@ Descriptor open_temporary(const fs::path& temporary) {
   }
 }
 
-void write(const fs::path& name, std::string_view start, std::string_view rest, bool to_disk) {
+void write_file(const fs::path& name, std::string_view start, std::string_view rest, bool to_disk) {
   std::error_code error;
   fs::path file = name;
   if (fs::is_symlink(name, error))
@@ -112,10 +106,10 @@ void write(const fs::path& name, std::string_view start, std::string_view rest, 
 }  // namespace
 
 void write_atomically(const fs::path& file, std::string_view start, std::string_view rest) {
-  write(file, start, rest, true);
+  write_file(file, start, rest, true);
 }
 
-void replace_file(const fs::path& file, std::string_view text) { write(file, text, "", false); }
+void replace_file(const fs::path& file, std::string_view text) { write_file(file, text, "", false); }
 
 void move_into_place(const fs::path& temporary, const fs::path& file) {
   if (std::rename(temporary.c_str(), file.c_str()) != 0) give_up(temporary, file);

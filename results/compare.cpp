@@ -17,8 +17,6 @@ namespace {
 
 using Pair = std::pair<std::string, std::string>;  // of a and of b
 
-Cell number(double value) { return std::isfinite(value) ? Cell(value) : Cell(std::monostate{}); }
-
 /// One run as it can be found in another campaign.
 using Key = std::tuple<std::string, std::string, std::string, std::string>;  // window, parameter, side, value
 
@@ -58,10 +56,10 @@ Cell above(const SensitivityRow* row) {
 
 /// Why a campaign has no value of a run: "" where it does not know the run at all.
 std::string why_none(const Snapshot& s, const Key& key) {
-  const auto& [window, parameter, side, value] = key;
+  const std::string& window = std::get<0>(key);
   if (std::ranges::none_of(s.windows, [&](const WindowRow& w) { return w.name == window; })) return "";
   const auto run = std::ranges::find_if(s.realizations, [&](const RealizationRow& r) {
-    return r.parameter == parameter && r.side == side && r.value_text == value;
+    return Key{window, r.parameter, r.side, r.value_text} == key;
   });
   if (run == s.realizations.end()) return "";
   return interrupted(*run) ? "interrupted"
@@ -118,8 +116,8 @@ Table compare_means(const Snapshot& a, const Snapshot& b) {
       note = fmt::format("windows differ: {:.4f} to {:.4f} m, {:.4f} to {:.4f} m", in_a->second.from_m,
                          in_a->second.to_m, in_b->second.from_m, in_b->second.to_m);
     const auto& [window, parameter, side, value] = key;
-    table.rows.push_back(
-        {window, parameter, side, value, number(q_a), number(q_b), number(q_b / q_a - 1.0), note});
+    table.rows.push_back({window, parameter, side, value, number_cell(q_a), number_cell(q_b),
+                          number_cell(q_b / q_a - 1.0), note});
   }
   return table;
 }
@@ -135,7 +133,7 @@ Table compare_sensitivity(const Snapshot& a, const Snapshot& b) {
       const SensitivityRow* in_a = index_of(a, row.window, row.parameter);
       const SensitivityRow* in_b = index_of(b, row.window, row.parameter);
       const auto value = [](const SensitivityRow* r, double SensitivityRow::*member) {
-        return r == nullptr ? Cell(std::monostate{}) : number(r->*member);
+        return r == nullptr ? Cell(std::monostate{}) : number_cell(r->*member);
       };
       table.rows.push_back({row.window, row.parameter, value(in_a, &SensitivityRow::si),
                             value(in_b, &SensitivityRow::si), value(in_a, &SensitivityRow::si_half_width),

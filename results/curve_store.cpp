@@ -110,8 +110,8 @@ bool is_current(const std::filesystem::path& file, const CurveFile& wanted) {
   }
 }
 
-void write(const std::filesystem::path& file, const CurveFile& content,
-           const std::filesystem::path& database) {
+void write_content(const std::filesystem::path& file, const CurveFile& content,
+                   const std::filesystem::path& database) {
   try {
     write_hdf5(file, [&](const Hdf5Group& root) { fill(root, content); });
   } catch (const Error& error) {
@@ -122,13 +122,13 @@ void write(const std::filesystem::path& file, const CurveFile& content,
 }  // namespace
 
 void write_curves(const std::filesystem::path& file, const std::filesystem::path& database) {
-  write(file, content_of(read_snapshot(database)), database);
+  write_content(file, content_of(read_snapshot(database)), database);
 }
 
 bool sync_curves(const std::filesystem::path& file, const std::filesystem::path& database) {
   const CurveFile wanted = content_of(read_snapshot(database));
   if (is_current(file, wanted)) return false;
-  write(file, wanted, database);
+  write_content(file, wanted, database);
   return true;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <set>
 #include <span>
@@ -28,8 +27,7 @@ using Eigen::VectorXd;
 using parameters::Design;
 using parameters::Estimate;
 using parameters::Study;
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+using parameters::undefined;
 
 // The stored realization of each run of the design; nullptr where the ledger has another one in its place.
 std::vector<const RealizationRow*> stored_runs(const Study& study, const Snapshot& s) {

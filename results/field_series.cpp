@@ -22,8 +22,8 @@ std::string array_name(const PointQuantity& quantity) {
   return fmt::format("{}_{}", quantity.name, unit);
 }
 
-VtkArray array_of(const PointQuantity& quantity, const std::vector<solver::PointState>& now,
-                  const std::vector<solver::PointState>& start) {
+VtkArray point_array(const PointQuantity& quantity, const std::vector<solver::PointState>& now,
+                     const std::vector<solver::PointState>& start) {
   constexpr const char* vector_names[] = {"r", "z", "theta"};
   constexpr const char* tensor_names[] = {"rr", "zz", "tt", "rz", "zt", "rt"};
   VtkArray array;
@@ -59,7 +59,7 @@ void FieldSeries::add(double wanted_depth, double depth, const std::vector<solve
     material.values.push_back(static_cast<double>(state.material));
   }
   for (const PointQuantity& quantity : point_quantities())
-    if (quantity.name != "position") points.arrays.push_back(array_of(quantity, now, start));
+    if (quantity.name != "position") points.arrays.push_back(point_array(quantity, now, start));
   points.arrays.push_back(std::move(material));
 
   frames_.push_back({depth, fmt::format("{}-{}m.vtu", name_, wanted_depth)});

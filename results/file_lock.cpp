@@ -16,14 +16,6 @@
 namespace cpt::results {
 namespace {
 
-/// False if the name now belongs to another file: the former holder removed ours between open and flock.
-bool still_named(int descriptor, const std::filesystem::path& file) {
-  struct stat held {};
-  struct stat named {};
-  return fstat(descriptor, &held) == 0 && stat(file.c_str(), &named) == 0 && held.st_ino == named.st_ino &&
-         held.st_dev == named.st_dev;
-}
-
 std::string holder(const std::filesystem::path& file) {
   std::ifstream in(file);
   std::string line;
@@ -31,6 +23,13 @@ std::string holder(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+bool still_named(int descriptor, const std::filesystem::path& file) {
+  struct stat held {};
+  struct stat named {};
+  return fstat(descriptor, &held) == 0 && stat(file.c_str(), &named) == 0 && held.st_ino == named.st_ino &&
+         held.st_dev == named.st_dev;
+}
 
 FileLock::FileLock(std::filesystem::path file) : file_(std::move(file)) {
   while (true) {
@@ -55,7 +54,7 @@ FileLock::FileLock(std::filesystem::path file) : file_(std::move(file)) {
   }
   const std::string text = fmt::format("process {}\n", getpid());
   // The text only helps a message; the lock holds without it.
-  if (ftruncate(descriptor_, 0) == 0) (void)!write(descriptor_, text.data(), text.size());
+  if (ftruncate(descriptor_, 0) == 0) (void)!::write(descriptor_, text.data(), text.size());
 }
 
 FileLock::~FileLock() {

@@ -21,6 +21,10 @@ class FileLock {
   int descriptor_ = -1;
 };
 
+/// Whether an open file still has its name. Between open and flock the former holder may have removed it, or
+/// moved it elsewhere, and the name be another's.
+[[nodiscard]] bool still_named(int descriptor, const std::filesystem::path& file);
+
 /// Whether a FileLock holds the file now, here or elsewhere. Leaves nothing behind; for readers, to whom a
 /// file that cannot be looked at counts as held.
 [[nodiscard]] bool is_held(const std::filesystem::path& file);

@@ -17,6 +17,7 @@
 #include "parameters/written_number.hpp"
 #include "results/atomic_file.hpp"
 #include "results/campaign_tables.hpp"
+#include "results/count_of.hpp"
 #include "results/database.hpp"
 #include "results/ledger_rows.hpp"
 #include "results/provenance.hpp"
@@ -29,14 +30,13 @@ namespace {
 using parameters::ErrorList;
 using parameters::Field;
 using parameters::FieldTable;
-using parameters::Place;
+using parameters::most_errors;
 
-constexpr std::size_t most_errors = 20;
 constexpr double null = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t largest_id = std::numeric_limits<std::int32_t>::max();
 
 template <class T>
-std::optional<T> parsed(const std::string& text) {
+std::optional<T> parsed_number(const std::string& text) {
   T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
@@ -115,7 +115,7 @@ class TableImport {
   [[nodiscard]] bool sound() const { return errors_.empty(); }
   [[nodiscard]] bool full() const { return errors_.size() >= most_errors; }
 
-  void problem(const std::string& file, Place place, std::string key, std::string message,
+  void problem(const std::string& file, parameters::Place place, std::string key, std::string message,
                std::string hint = "") {
     if (!full())
       errors_.push_back(
@@ -123,7 +123,7 @@ class TableImport {
   }
   void problem(const Given& given, std::size_t row, std::size_t column, std::string message,
                std::string hint = "") {
-    const Place place = given.field(row, column).place;
+    const parameters::Place place = given.field(row, column).place;
     const std::string& name = given.definition->columns[column].name;
     // Where a document does not know its lines, the row tells the place.
     problem(given.fields->file, place,
@@ -209,7 +209,7 @@ class TableImport {
       return true;
     }
     if (wanted.type == "INTEGER") {
-      const auto value = parsed<std::int64_t>(text);
+      const auto value = parsed_number<std::int64_t>(text);
       if (value && *value >= 0) {
         statement.bind(*value);
         return true;
@@ -226,7 +226,7 @@ class TableImport {
   std::optional<double> real(const Given& given, std::size_t row, std::size_t column) {
     const std::string& text = given.field(row, column).text;
     if (text.empty() && !given.definition->columns[column].required) return null;
-    const auto value = parsed<double>(text);
+    const auto value = parsed_number<double>(text);
     if (value && std::isfinite(*value)) return value;
     problem(given, row, column, fmt::format("\"{}\" is not a finite number", text),
             parameters::number_hint(text));
@@ -235,7 +235,7 @@ class TableImport {
 
   /// The realization that a row belongs to.
   std::optional<int> id(const Given& given, std::size_t row, std::size_t column) {
-    const auto value = parsed<std::int64_t>(given.field(row, column).text);
+    const auto value = parsed_number<std::int64_t>(given.field(row, column).text);
     if (value && *value >= 1 && *value <= largest_id) return static_cast<int>(*value);
     problem(
         given, row, column,
@@ -340,7 +340,8 @@ class TableImport {
     Statement stored =
         database.prepare("SELECT q_c_mean_kPa FROM window_mean WHERE realization = ? AND window = ?");
     stored.bind(realization).bind(given.field(row, window).text);
-    return !stored.step() || parsed<double>(given.field(row, mean).text) != std::optional(stored.number(0))
+    return !stored.step() ||
+                   parsed_number<double>(given.field(row, mean).text) != std::optional(stored.number(0))
                ? 1
                : 0;
   }
@@ -382,10 +383,6 @@ class TableImport {
   std::vector<parameters::StudyError> errors_;
   Remarks remarks_;
 };
-
-std::string count_of(std::size_t n, std::string_view what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
-}
 
 }  // namespace
 

@@ -16,9 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using parameters::ErrorList;
 using parameters::FieldTable;
-using parameters::Place;
-
-constexpr std::size_t most_errors = 20;
+using parameters::most_errors;
 
 std::string spelt(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -34,7 +32,7 @@ std::string spelt(const Cell& cell) {
 }
 
 /// Line and column of a byte, counted from 1.
-Place place_of(std::string_view text, std::size_t byte) {
+parameters::Place place_of(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
   const auto line_start = before.rfind('\n') + 1;  // npos + 1 is 0
   const std::string_view line = before.substr(line_start);

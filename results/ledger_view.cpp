@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "parameters/designs/one_at_a_time.hpp"
+#include "results/count_of.hpp"
 #include "results/file_lock.hpp"
 #include "results/interrupted.hpp"
 #include "results/ledger_rows.hpp"
@@ -16,10 +17,6 @@
 
 namespace cpt::results {
 namespace {
-
-std::string count_of(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 /// Why the stored results cannot be shown as another study; empty where they can.
 std::string obstacle(const Database& database) {

@@ -28,7 +28,7 @@ constexpr std::array<NamedQuery, 7> questions = {{
 }};
 
 // In the order of the questions; the last one is answered without SQL.
-constexpr std::array<std::string_view, questions.size() - 1> statements = {
+constexpr std::array<std::string_view, questions.size() - 1> question_statements = {
     "SELECT id, r.parameter, r.side, value_text AS value, r.status, wall_s, steps, material_points, "
     "r.mass_error, "
     "r.momentum_error, r.energy_error, r.kinetic_fraction, r.max_empty_cells, out_of_line FROM realization "
@@ -106,8 +106,9 @@ Table query(const Database& database, std::string_view name) {
     return effects_table(effects);
   }
   if (name == "unused" && !has_table(database, "unused")) return {};  // an earlier schema version
-  for (std::size_t i = 0; i < statements.size(); ++i)
-    if (questions[i].name == name) return rows_of(database.prepare(said_of_now(statements[i], database)));
+  for (std::size_t i = 0; i < question_statements.size(); ++i)
+    if (questions[i].name == name)
+      return rows_of(database.prepare(said_of_now(question_statements[i], database)));
   std::vector<std::string_view> known;
   for (const NamedQuery& question : questions) known.push_back(question.name);
   const std::string_view near = solver::nearest_name(name, known);

@@ -14,7 +14,9 @@ constexpr double confidence = 0.95;  // [-]
 
 }  // namespace
 
-double student_t(int freedom) { return quantile(boost::math::students_t(freedom), 0.5 + 0.5 * confidence); }
+double student_t(double freedom) {
+  return quantile(boost::math::students_t(freedom), 0.5 + 0.5 * confidence);
+}
 
 std::optional<RepeatNoise> repeat_noise(std::span<const double> numbers) {
   if (numbers.size() < 3) return std::nullopt;

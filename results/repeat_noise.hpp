@@ -15,7 +15,7 @@ struct RepeatNoise {
 };
 
 /// Student's t: 97.5 % of its distribution with so many degrees of freedom lie below.
-[[nodiscard]] double student_t(int freedom);
+[[nodiscard]] double student_t(double freedom);
 
 /// nullopt with fewer than three numbers.
 [[nodiscard]] std::optional<RepeatNoise> repeat_noise(std::span<const double> numbers);

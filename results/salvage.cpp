@@ -17,7 +17,7 @@ namespace cpt::results {
 namespace {
 
 // Ids to try: those that are told, where that is no nonsense.
-std::int64_t largest_id(const Database& database, const RunTables& tables, std::int64_t unless_told) {
+std::int64_t last_id_to_try(const Database& database, const RunTables& tables, std::int64_t unless_told) {
   constexpr std::int64_t most = 200'000;
   try {
     return std::min(database.integer(fmt::format("SELECT max(id) FROM {}", tables.run)), most);
@@ -53,7 +53,8 @@ Salvage salvage(const std::filesystem::path& damaged, int largest_id_unless_told
   read_study(*database, found.study);
   // One by one: a scan would end at the first page that is broken.
   for (const RunTables& tables : {in_use_tables, unused_tables})
-    for (std::int64_t id = 1, last = largest_id(*database, tables, largest_id_unless_told); id <= last; ++id)
+    for (std::int64_t id = 1, last = last_id_to_try(*database, tables, largest_id_unless_told); id <= last;
+         ++id)
       try {
         if (matches_checksum(*database, id, tables) != std::optional(true)) continue;
         std::optional<StoredRun> run = read_run(*database, static_cast<int>(id), tables);

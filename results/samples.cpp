@@ -68,8 +68,6 @@ Cell cell_of(const std::string& text) {
   return text;
 }
 
-Cell number(double value) { return std::isfinite(value) ? Cell(value) : Cell(std::monostate{}); }
-
 std::string name_of(const RealizationRow& run) {
   if (is_point(run)) return run.parameter;
   return run.parameter.empty() ? run.side : run.parameter + " " + run.side;
@@ -107,7 +105,7 @@ Table samples_table(const Snapshot& s) {
       const auto found = means.find({run.id, window.name});
       for (const auto member :
            {&WindowMeanRow::q_c_mean_kPa, &WindowMeanRow::q_c_min_kPa, &WindowMeanRow::q_c_max_kPa})
-        row.push_back(found == means.end() ? Cell(std::monostate{}) : number(found->second->*member));
+        row.push_back(found == means.end() ? Cell(std::monostate{}) : number_cell(found->second->*member));
     }
   }
   return table;

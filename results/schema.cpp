@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t application_id = 0x43505443;  // "CPTC"
 
 // Of `realization`, and of those that the study no longer asks for.
-constexpr const char* run_columns = R"sql(
+constexpr const char* run_definitions = R"sql(
   parameter        TEXT,
   side             TEXT NOT NULL CHECK (side IN ('baseline', 'lower', 'upper', 'point', 'repeat')),
   value            REAL,
@@ -38,7 +38,7 @@ constexpr const char* run_columns = R"sql(
   min_time_step_s  REAL,
   max_time_step_s  REAL)sql";
 
-constexpr const char* tables = R"sql(
+constexpr const char* table_definitions = R"sql(
 CREATE TABLE campaign (
   one              INTEGER PRIMARY KEY CHECK (one = 1),
   name             TEXT NOT NULL,
@@ -75,7 +75,7 @@ CREATE TABLE parameter (
 );
 
 CREATE TABLE realization (
-  id               INTEGER PRIMARY KEY,{run_columns}
+  id               INTEGER PRIMARY KEY,{run_definitions}
 );
 CREATE INDEX realization_of_bound ON realization (parameter, side);
 
@@ -133,7 +133,7 @@ CREATE TABLE former_study (
 );
 
 CREATE TABLE unused (
-  id               INTEGER PRIMARY KEY,{run_columns},
+  id               INTEGER PRIMARY KEY,{run_definitions},
   study            INTEGER NOT NULL REFERENCES former_study (id)
 );
 
@@ -172,7 +172,7 @@ bool has_table(const Database& database, std::string_view table) {
 }
 
 void create_schema(const Database& database) {
-  database.execute(fmt::format(tables, fmt::arg("run_columns", run_columns)));
+  database.execute(fmt::format(table_definitions, fmt::arg("run_columns", run_definitions)));
   for (const View& view : views()) database.execute(view.definition);
   database.execute(
       fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, schema_version));

@@ -1,6 +1,7 @@
 // A table of cells and its three spellings.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -13,6 +14,11 @@ namespace cpt::results {
 
 /// Empty (SQL NULL), whole number, number or text.
 using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+/// Empty for what is not finite.
+[[nodiscard]] inline Cell number_cell(double value) {
+  return std::isfinite(value) ? Cell(value) : Cell(std::monostate{});
+}
 
 struct Table {
   std::vector<std::string> columns;

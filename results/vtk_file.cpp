@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <numeric>
 
 #include "results/atomic_file.hpp"
 
 namespace cpt::results {
 namespace {
-
-constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 
 // "<" and the like cannot stand in an attribute, nor "--" in a comment.
 std::string escaped(const std::string& text) {
@@ -70,7 +67,7 @@ void write_vtu(const std::filesystem::path& file, const VtkPoints& points) {
       "<?xml version=\"1.0\"?>\n<!-- {} -->\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n"
       "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
-      escaped(points.comment), byte_order, count, count);
+      escaped(points.comment), vtk_byte_order, count, count);
   xml += appended.announce("Float64", "NumberOfComponents=\"3\"", points.positions);
   xml += "</Points>\n<Cells>\n";
   xml += appended.announce("Int64", "Name=\"connectivity\"", connectivity);

@@ -4,6 +4,7 @@
 // its arrays appended as raw bytes. What is read is what is written here, not all that VTK allows.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -21,6 +22,10 @@ struct VtkArray {
   std::size_t components = 1;
   std::vector<double> values;
 };
+
+/// This machine's byte order, as VTK calls it.
+inline constexpr const char* vtk_byte_order =
+    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 
 struct VtkPoints {
   std::string comment;            ///< where the data come from; written as an XML comment

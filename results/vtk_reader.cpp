@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <cstring>
@@ -17,10 +16,9 @@ namespace {
 
 using boost::property_tree::ptree;
 
-constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 constexpr std::string_view before_bytes = "<AppendedData encoding=\"raw\">\n_";
 
-std::string content_of(const std::filesystem::path& file) {
+std::string text_of(const std::filesystem::path& file) {
   std::error_code why;
   std::optional<std::string> content;
   if (std::filesystem::is_regular_file(file, why)) content = bytes_of(file, why);
@@ -30,7 +28,7 @@ std::string content_of(const std::filesystem::path& file) {
   return *std::move(content);
 }
 
-ptree parsed(const std::string& xml) {
+ptree parsed_xml(const std::string& xml) {
   std::istringstream stream(xml);
   ptree tree;
   boost::property_tree::read_xml(stream, tree, boost::property_tree::xml_parser::trim_whitespace);
@@ -41,7 +39,7 @@ ptree parsed(const std::string& xml) {
 template <typename Read>
 auto of_file(const std::filesystem::path& file, Read read) {
   try {
-    return read(content_of(file));
+    return read(text_of(file));
   } catch (const boost::property_tree::ptree_error& error) {
     throw Error(
         fmt::format("{}: damaged, or not of campaign push ({})", file.string(), std::string(error.what())));
@@ -68,7 +66,7 @@ std::vector<Number> numbers_of(const ptree& array, const char* type, std::size_t
   return numbers;
 }
 
-VtkArray array_of(const ptree& entry, std::size_t points, std::string_view bytes) {
+VtkArray read_array(const ptree& entry, std::size_t points, std::string_view bytes) {
   VtkArray array;
   array.name = entry.get<std::string>("<xmlattr>.Name");
   array.components = entry.get<std::size_t>("<xmlattr>.NumberOfComponents");
@@ -93,8 +91,8 @@ VtkPoints read_vtu(const std::filesystem::path& file) {
     const auto end = content.find(before_bytes);
     if (end == std::string::npos) throw std::out_of_range("no appended data");
     const std::string_view bytes = std::string_view(content).substr(end + before_bytes.size());
-    const ptree tree = parsed(content.substr(0, end) + "</VTKFile>");
-    if (tree.get<std::string>("VTKFile.<xmlattr>.byte_order") != byte_order)
+    const ptree tree = parsed_xml(content.substr(0, end) + "</VTKFile>");
+    if (tree.get<std::string>("VTKFile.<xmlattr>.byte_order") != vtk_byte_order)
       throw std::out_of_range("of a machine with another byte order");
     const ptree& piece = tree.get_child("VTKFile.UnstructuredGrid.Piece");
     const auto count = piece.get<std::size_t>("<xmlattr>.NumberOfPoints");
@@ -108,7 +106,7 @@ VtkPoints read_vtu(const std::filesystem::path& file) {
       if (entry.get<std::string>("<xmlattr>.Name") == "id")
         points.ids = numbers_of<std::int64_t>(entry, "Int64", count, bytes);
       else
-        points.arrays.push_back(array_of(entry, count, bytes));
+        points.arrays.push_back(read_array(entry, count, bytes));
     }
     return points;
   });
@@ -117,7 +115,7 @@ VtkPoints read_vtu(const std::filesystem::path& file) {
 std::vector<VtkFrame> read_pvd(const std::filesystem::path& file) {
   return of_file(file, [](const std::string& content) {
     std::vector<VtkFrame> frames;
-    const ptree tree = parsed(content);
+    const ptree tree = parsed_xml(content);
     for (const auto& [name, entry] : tree.get_child("VTKFile.Collection"))
       if (name == "DataSet")
         frames.push_back({entry.get<double>("<xmlattr>.timestep"), entry.get<std::string>("<xmlattr>.file")});

@@ -1,17 +1,17 @@
 #include "results/window_noise.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <vector>
+
+#include "results/repeat_noise.hpp"
 
 namespace cpt::results {
 namespace {
 
-constexpr std::size_t most = 10;
-constexpr std::size_t fewest = 6;
-constexpr int fewest_bins = 2;       // in a window
-constexpr double confidence = 0.95;  // [-]
+constexpr std::size_t most_windows = 10;
+constexpr std::size_t fewest_windows = 6;
+constexpr int fewest_bins = 2;  // in a window
 
 struct Average {
   double depth;  // [m] mean of the window's bins
@@ -24,7 +24,8 @@ std::vector<Average> averages_around(const solver::DepthProfile& profile, const 
   std::vector<Average> found;
   const auto try_at = [&](int shift) {
     const Interval here = {interval.from + shift * width, interval.to + shift * width};
-    if (found.size() >= most || here.from < 0.0 || here.to > profile.depth.back() + 0.5 * width) return;
+    if (found.size() >= most_windows || here.from < 0.0 || here.to > profile.depth.back() + 0.5 * width)
+      return;
     // Open at the upper end, so that no bin counts in two windows.
     const Interval open = {here.from + 1e-3 * width, here.to};
     const auto mean = average(profile, open);
@@ -32,7 +33,7 @@ std::vector<Average> averages_around(const solver::DepthProfile& profile, const 
       found.push_back({average(depths, open).value.mean, mean.value.mean});
   };
   try_at(0);
-  const int reach = width > 0.0 ? static_cast<int>(most) : 0;
+  const int reach = width > 0.0 ? static_cast<int>(most_windows) : 0;
   for (int shift = 1; shift <= reach; ++shift) {
     try_at(-shift);
     try_at(shift);
@@ -45,7 +46,7 @@ std::vector<Average> averages_around(const solver::DepthProfile& profile, const 
 std::optional<WindowNoise> window_noise(const solver::DepthProfile& profile, const Interval& interval) {
   if (profile.depth.empty() || !(interval.to > interval.from)) return std::nullopt;
   const std::vector<Average> averages = averages_around(profile, interval);
-  if (averages.size() < fewest) return std::nullopt;
+  if (averages.size() < fewest_windows) return std::nullopt;
 
   const auto n = static_cast<double>(averages.size());
   double depth = 0.0, q_c = 0.0;
@@ -72,8 +73,7 @@ double index_uncertainty(double q_lower, const WindowNoise& lower, double q_uppe
   if (!(variance > 0.0)) return 0.0;
   const double freedom =
       variance * variance / (a * a * a * a / lower.freedom + b * b * b * b / upper.freedom);  // Welch (1947)
-  const boost::math::students_t student(freedom);
-  return quantile(student, 0.5 + 0.5 * confidence) * std::sqrt(variance);
+  return student_t(freedom) * std::sqrt(variance);
 }
 
 }  // namespace cpt::results

@@ -10,7 +10,7 @@
 namespace cpt::diagnosis::concealed {
 namespace {
 
-constexpr std::array<std::string_view, 5> kinds = {"stone", "laminae", "zero jump", "stuck", "pauses"};
+constexpr std::array<std::string_view, 5> effect_names = {"stone", "laminae", "zero jump", "stuck", "pauses"};
 constexpr double recovery = 0.008;  // [m] of q_c after a pause
 
 double between(Random& random, double lower, double upper) {
@@ -24,7 +24,7 @@ double signed_between(Random& random, double lower, double upper) {
 
 }  // namespace
 
-std::span<const std::string_view> outside_kinds() { return kinds; }
+std::span<const std::string_view> outside_kinds() { return effect_names; }
 
 const solver::Mechanism* catalogued(const OutsideEffect& effect) {
   std::string name = effect.kind;

@@ -13,11 +13,11 @@
 namespace cpt::calibration {
 namespace {
 
-constexpr int steps = 200;           // of a simulated test
-constexpr int coarse = 24;           // values of H tried first
-constexpr int bits = 26;             // of ln H that Brent's method finds: about half of a double's, its limit
-constexpr std::size_t fewest = 3;    // readings of the initial part beyond the start
-constexpr double hopeless = 1.0e30;  // misfit of a test that does not run
+constexpr int steps = 200;  // of a simulated test
+constexpr int coarse = 24;  // values of H tried first
+constexpr int bits = 26;    // of ln H that Brent's method finds: about half of a double's, its limit
+constexpr std::size_t fewest_initial = 3;  // readings of the initial part beyond the start
+constexpr double hopeless = 1.0e30;        // misfit of a test that does not run
 
 // The element test has natural strains, the laboratory engineering strains.
 double natural(double engineering) { return -std::log1p(-engineering); }
@@ -119,10 +119,10 @@ HardeningFit fit_hardening(const TriaxialCurve& curve, const solver::Sand& sand,
   fit.psi_0 = fit.e_0 - solver::CriticalStateLine(sand).void_ratio(fit.p_0);
 
   const std::vector<Reading> part = initial_part(curve, options.fraction);
-  if (part.size() < fewest || !(part.back().q > 0.0)) {
+  if (part.size() < fewest_initial || !(part.back().q > 0.0)) {
     fit.problem = fmt::format(
         "{} readings up to {:.6g} of the largest q, needs {}: read more often or match a larger part",
-        part.size(), options.fraction, fewest);
+        part.size(), options.fraction, fewest_initial);
     return fit;
   }
   fit.eps_a = part.back().eps_a;

@@ -15,10 +15,10 @@
 namespace cpt::calibration {
 namespace {
 
-constexpr double kPa = 1.0e3;        // [Pa]
-constexpr double percent = 0.01;     // [-]
-constexpr std::size_t fewest = 3;    // readings that make a curve
-constexpr std::size_t at_most = 20;  // problems told at once
+constexpr double kPa = 1.0e3;               // [Pa]
+constexpr double percent = 0.01;            // [-]
+constexpr std::size_t fewest_readings = 3;  // readings that make a curve
+constexpr std::size_t at_most = 20;         // problems told at once
 
 struct Field {
   std::string_view text;  // without blanks around it
@@ -179,8 +179,8 @@ class CurveReader {
     if (!problems_.empty()) return;
     line_ = 0;
     if (!named_) return problem(0, "has no line of column names");
-    if (curve_.readings.size() < fewest)
-      problem(0, fmt::format("has {} readings; a curve needs {}", curve_.readings.size(), fewest));
+    if (curve_.readings.size() < fewest_readings)
+      problem(0, fmt::format("has {} readings; a curve needs {}", curve_.readings.size(), fewest_readings));
     if (!std::isnan(curve_.e_0) && !std::isnan(curve_.D_r)) problem(0, "gives both e0 and D_r_percent");
   }
 

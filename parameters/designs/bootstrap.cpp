@@ -33,8 +33,8 @@ double percentile(const std::vector<double>& sorted, double share) {
 }  // namespace
 
 std::vector<Estimate> bootstrap(Index units, int samples, std::uint64_t seed,
-                                const std::function<Eigen::VectorXd(const Sample&)>& estimator) {
-  Sample sample(static_cast<std::size_t>(units));
+                                const std::function<Eigen::VectorXd(const Resample&)>& estimator) {
+  Resample sample(static_cast<std::size_t>(units));
   std::iota(sample.begin(), sample.end(), Index{0});
   const Eigen::VectorXd values = estimator(sample);
   std::vector<Estimate> estimates(static_cast<std::size_t>(values.size()));

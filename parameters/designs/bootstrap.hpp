@@ -16,8 +16,11 @@ struct Estimate {
   double upper = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// Draws that an interval is made from where they are cheap.
+inline constexpr int bootstrap_draws = 2000;
+
 /// Units (trajectories, rows, runs) that a sample consists of; one may come several times.
-using Sample = std::vector<Eigen::Index>;
+using Resample = std::vector<Eigen::Index>;
 
 /// The estimator's numbers for all units, each with its interval: the estimator is called again for samples
 /// of as many units drawn with replacement, and the interval lies between two percentiles of what it gives,
@@ -26,7 +29,8 @@ using Sample = std::vector<Eigen::Index>;
 /// Student's distribution with n - 1 degrees of freedom. The plain 2.5 and 97.5 % are too narrow for few
 /// units. Draws that are not finite do not count; no interval for fewer than three units or where more than
 /// a tenth of the draws is not finite. The same seed gives the same intervals.
-[[nodiscard]] std::vector<Estimate> bootstrap(Eigen::Index units, int samples, std::uint64_t seed,
-                                              const std::function<Eigen::VectorXd(const Sample&)>& estimator);
+[[nodiscard]] std::vector<Estimate> bootstrap(
+    Eigen::Index units, int samples, std::uint64_t seed,
+    const std::function<Eigen::VectorXd(const Resample&)>& estimator);
 
 }  // namespace cpt::parameters

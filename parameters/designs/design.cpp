@@ -19,8 +19,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Kind = Design::Kind;
 
-constexpr std::array<std::string_view, 5> kinds = {"one_at_a_time", "pairs", "morris", "latin_hypercube",
-                                                   "sobol"};
+constexpr std::array<std::string_view, 5> kind_names = {"one_at_a_time", "pairs", "morris", "latin_hypercube",
+                                                        "sobol"};
 
 MatrixXd places_of(const Design& design) {
   const auto parameters = static_cast<int>(design.rows.size());
@@ -79,9 +79,9 @@ std::map<std::string, std::size_t> by_settings(const Study& study,
 
 }  // namespace
 
-std::span<const std::string_view> design_kinds() { return kinds; }
+std::span<const std::string_view> design_kinds() { return kind_names; }
 
-std::string_view to_string(Kind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+std::string_view to_string(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 long run_count(const Design& design) {
   const auto parameters = static_cast<long>(design.rows.size());

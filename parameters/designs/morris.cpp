@@ -3,7 +3,6 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
-#include <limits>
 
 #include "parameters/designs/permutation.hpp"
 #include "parameters/designs/variation.hpp"
@@ -14,9 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr int bootstrap_samples = 2000;
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 // Trajectories x parameters; NaN for those that touch a run without a result.
 MatrixXd effects_of(const MatrixXd& places, const VectorXd& y) {
@@ -37,7 +33,7 @@ MatrixXd effects_of(const MatrixXd& places, const VectorXd& y) {
 }
 
 // mu, mu* and sigma of one parameter over a sample of its trajectories.
-VectorXd moments(const VectorXd& effects, const Sample& sample) {
+VectorXd moments(const VectorXd& effects, const Resample& sample) {
   double n = 0.0, sum = 0.0, sum_of_sizes = 0.0, squares = 0.0;
   for (const Index t : sample) {
     if (!std::isfinite(effects(t))) continue;
@@ -83,8 +79,8 @@ std::vector<ElementaryEffects> elementary_effects(const MatrixXd& places, const 
       all.push_back({{}, {}, {}, used, dropped});
       continue;
     }
-    const auto estimates = bootstrap(effects.rows(), bootstrap_samples, seed,
-                                     [&](const Sample& sample) { return moments(effects.col(j), sample); });
+    const auto estimates = bootstrap(effects.rows(), bootstrap_draws, seed,
+                                     [&](const Resample& sample) { return moments(effects.col(j), sample); });
     all.push_back({estimates[0], estimates[1], estimates[2], used, dropped});
   }
   return all;

@@ -21,8 +21,7 @@ using Eigen::VectorXd;
 constexpr double norm = 0.75;                               // of the hyperbolic truncation
 constexpr int largest_degree = 20;                          // [-]
 constexpr std::size_t runs_per_term = 2, most_terms = 200;  // the bootstrap's cost grows with their square
-constexpr int bootstrap_samples = 400;
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr int chaos_draws = 400;
 
 /// Degrees of one term, one a parameter.
 using Term = std::vector<int>;
@@ -84,8 +83,8 @@ std::optional<double> relative_error(const MatrixXd& basis, const VectorXd& y) {
 
 // First-order indices, then total ones, of the expansion fitted to a sample of the runs. `rounding`: what y
 // must vary by.
-VectorXd indices_of(const MatrixXd& basis, const std::vector<Term>& terms, const VectorXd& y, double rounding,
-                    const Sample& sample) {
+VectorXd chaos_indices_of(const MatrixXd& basis, const std::vector<Term>& terms, const VectorXd& y,
+                          double rounding, const Resample& sample) {
   VectorXd weight = VectorXd::Zero(y.size());
   for (const Index run : sample) weight(run) += 1.0;
   const MatrixXd weighted = basis.transpose() * weight.asDiagonal();
@@ -162,8 +161,8 @@ ChaosIndices polynomial_chaos(const MatrixXd& all_places, const std::vector<int>
   fit.terms = static_cast<int>(terms.size());
   fit.q2 = 1.0 - least_error;
   const MatrixXd at_runs = basis(places, families, terms);
-  const auto estimates = bootstrap(y.size(), bootstrap_samples, seed, [&](const Sample& sample) {
-    return indices_of(at_runs, terms, y, rounding, sample);
+  const auto estimates = bootstrap(y.size(), chaos_draws, seed, [&](const Resample& sample) {
+    return chaos_indices_of(at_runs, terms, y, rounding, sample);
   });
   const auto middle = estimates.begin() + static_cast<std::ptrdiff_t>(parameters);
   fit.first.assign(estimates.begin(), middle);

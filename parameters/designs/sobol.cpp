@@ -2,7 +2,6 @@
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/sobol.hpp>
-#include <limits>
 
 #include "parameters/designs/variation.hpp"
 
@@ -13,10 +12,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int bootstrap_samples = 2000;
-
 // First-order indices, then total ones, over a sample of the rows of `y`: f(A), f(B), f(A_B^1), ...
-VectorXd indices_of(const MatrixXd& y, const Sample& sample) {
+VectorXd sobol_indices_of(const MatrixXd& y, const Resample& sample) {
   const Index parameters = y.cols() - 2;
   const auto n = static_cast<double>(sample.size());
   double mean = 0.0, variance = 0.0;  // of A and B together
@@ -32,7 +29,7 @@ VectorXd indices_of(const MatrixXd& y, const Sample& sample) {
   VectorXd both(2 * parameters);
   both << first, total;
   if (varies(y(sample, Eigen::seqN(0, 2)).reshaped())) return both / variance;
-  return VectorXd::Constant(2 * parameters, std::numeric_limits<double>::quiet_NaN());
+  return VectorXd::Constant(2 * parameters, undefined);
 }
 
 }  // namespace
@@ -67,8 +64,9 @@ SobolIndices sobol_indices(int parameters, const VectorXd& y, std::uint64_t seed
     if (runs.allFinite()) complete.row(used++) = runs.transpose();
   }
   complete.conservativeResize(used, width);
-  const auto estimates = bootstrap(used, bootstrap_samples, seed,
-                                   [&](const Sample& sample) { return indices_of(complete, sample); });
+  const auto estimates = bootstrap(used, bootstrap_draws, seed, [&](const Resample& sample) {
+    return sobol_indices_of(complete, sample);
+  });
   return {{estimates.begin(), estimates.begin() + parameters},
           {estimates.begin() + parameters, estimates.end()},
           static_cast<int>(used),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string_view>
 
 namespace cpt::parameters {
@@ -11,6 +12,8 @@ namespace cpt::parameters {
 /// rounds at 2e-16; sums over bins, decimal texts and other programs leave 1e-12; no result is known to nine
 /// digits.
 inline constexpr double rounding_share = 1e-9;
+
+inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// What a note says of an index of such results.
 inline constexpr std::string_view does_not_vary = "undefined: the result does not vary";

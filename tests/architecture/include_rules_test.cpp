@@ -48,7 +48,7 @@ const std::vector<Outside> outside = {
     {"Eigen/.*", {"solver/", "parameters/calibration/trend.cpp", "parameters/designs/", "diagnosis/"}},
     {"boost/math/.*",
      {"parameters/calibration/hardening.cpp", "results/discretization_error.cpp", "results/repeat_noise.cpp",
-      "results/window_noise.cpp", "diagnosis/scoring.cpp", "parameters/designs/bootstrap.cpp"}},
+      "diagnosis/scoring.cpp", "parameters/designs/bootstrap.cpp"}},
     {"boost/property_tree/.*", {"results/vtk_reader.cpp"}},
     {"boost/random/.*", {"parameters/designs/"}},
     {"omp\\.h|immintrin\\.h", {"solver/"}},
