@@ -75,7 +75,7 @@ CREATE TABLE parameter (
 );
 
 CREATE TABLE realization (
-  id               INTEGER PRIMARY KEY,{run_definitions}
+  id               INTEGER PRIMARY KEY,{run_columns}
 );
 CREATE INDEX realization_of_bound ON realization (parameter, side);
 
@@ -133,7 +133,7 @@ CREATE TABLE former_study (
 );
 
 CREATE TABLE unused (
-  id               INTEGER PRIMARY KEY,{run_definitions},
+  id               INTEGER PRIMARY KEY,{run_columns},
   study            INTEGER NOT NULL REFERENCES former_study (id)
 );
 
