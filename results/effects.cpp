@@ -122,6 +122,15 @@ class WindowEffects {
                      e.upper, used, dropped, note_});
   }
 
+  // Why there is no interval from them.
+  [[nodiscard]] std::string without_repeats() const {
+    const auto is_repeat = [](const RealizationRow& run) { return run.side == "repeat"; };
+    if (std::ranges::none_of(s_.realizations, is_repeat)) return "no interval: the study has no repeats";
+    const bool waiting = std::ranges::any_of(
+        s_.realizations, [&](const RealizationRow& run) { return is_repeat(run) && run.waiting(); });
+    return waiting ? "no interval until the repeats have run" : "no interval: too few repeats completed";
+  }
+
   // Without runs beside each other the interval is that of the repeats, each result scattering by the same
   // share of its size: an interaction is half of four results added up.
   void add_pairs() {
@@ -139,7 +148,7 @@ class WindowEffects {
       const std::string gap = window_.problem.empty() ? missing(runs) : window_.problem;
       std::string note = gap.empty() ? "" : "undefined: " + gap;
       if (constant_) note = parameters::does_not_vary;
-      if (note.empty() && !repeated) note = "no interval: the study has no repeats";
+      if (note.empty() && !repeated) note = without_repeats();
       if (const std::string lies = out_of_line(runs); !lies.empty())
         note += (note.empty() ? "" : "; ") + lies;
       rows_.push_back({window_.name, name(static_cast<std::size_t>(pairs[k].first)),

@@ -102,6 +102,13 @@ function indices(window) {
 
 const key = (color) => el("span", { class: "key", style: `background: var(--${color})` });
 
+// Why there is no noise from repeats.
+function without_repeats() {
+  const all = runs.filter((run) => run.side === "repeat");
+  if (!all.length) return ": the study has no repeats";
+  return all.some(waiting) ? " until the repeats have run" : ": too few repeats completed";
+}
+
 function sensitivity() {
   const section = byId("sensitivity");
   if (!data.parameters.length) section.append(el("p", {}, "The study has no uncertain input."));
@@ -128,7 +135,7 @@ function sensitivity() {
               (rows.some((row) => row.pairs) ? ", or where its bounds were repeated, too, from these pairs" : "") : "", ";", key("faint"),
             repeats ? "within that interval of 0, so perhaps noise;" : "within the noise;", el("span", { class: "key line" }),
             "spread of the baseline inside the window, the paper's ", rich([["SI", false], ["noise", true]]),
-            ` = ${decimals(noise, 4)}${repeats || !known(noise) ? "" : ", which is the noise here: the study has no repeats"}.`), indices(window))),
+            ` = ${decimals(noise, 4)}${repeats || !known(noise) ? "" : `, which is the noise here${without_repeats()}`}.`), indices(window))),
       el("details", {}, el("summary", {}, `Numbers of ${window.name}`),
         table([{ name: "input" }, { name: "meaning", long: true }, { name: "lower", numeric: true }, { name: "baseline", numeric: true },
                { name: "upper", numeric: true }, { name: "unit" }, { name: "q_c at lower (kPa)", numeric: true },

@@ -97,6 +97,16 @@ TEST_F(EffectsOf, AFailedCornerLeavesItsPairUndefined) {
   EXPECT_EQ(whole.note, "no interval: the study has no repeats");
 }
 
+TEST_F(EffectsOf, AnIntervalThatIsMissingSaysWhy) {
+  const auto note = [&](const std::set<std::string>& failing) {
+    std::filesystem::remove(folder / "study.sqlite");
+    const Effects effects = design_effects(run("[design]\nkind = \"pairs\"\n", failing, "repeats = 2\n"));
+    return row(effects, "interaction", "sand.H", "chamber.wall").note;
+  };
+  EXPECT_EQ(note({"pending repeat 1", "pending repeat 2"}), "no interval until the repeats have run");
+  EXPECT_EQ(note({"repeat 1", "repeat 2"}), "no interval: too few repeats completed");
+}
+
 TEST_F(EffectsOf, MorrisGivesWhatABoundToBoundChangeDoes) {
   const Effects effects = design_effects(run("[design]\nkind = \"morris\"\ntrajectories = 8\n"));
   EXPECT_EQ(effects.design, "morris");
