@@ -130,6 +130,13 @@ class WindowEffects {
         s_.realizations, [&](const RealizationRow& run) { return is_repeat(run) && run.waiting(); });
     return waiting ? "no interval until the repeats have run" : "no interval: too few repeats completed";
   }
+  // An interval from some of them is not the one to come.
+  [[nodiscard]] std::string some_repeats() const {
+    std::size_t all = 0, waiting = 0;
+    for (const RealizationRow& run : s_.realizations)
+      if (run.side == "repeat") ++all, waiting += run.waiting() ? 1 : 0;
+    return waiting == 0 ? "" : fmt::format("interval of {} of {} repeats so far", all - waiting, all);
+  }
 
   // Without runs beside each other the interval is that of the repeats, each result scattering by the same
   // share of its size: an interaction is half of four results added up.
@@ -148,7 +155,7 @@ class WindowEffects {
       const std::string gap = window_.problem.empty() ? missing(runs) : window_.problem;
       std::string note = gap.empty() ? "" : "undefined: " + gap;
       if (constant_) note = parameters::does_not_vary;
-      if (note.empty() && !repeated) note = without_repeats();
+      if (note.empty()) note = repeated ? some_repeats() : without_repeats();
       if (const std::string lies = out_of_line(runs); !lies.empty())
         note += (note.empty() ? "" : "; ") + lies;
       rows_.push_back({window_.name, name(static_cast<std::size_t>(pairs[k].first)),

@@ -27,6 +27,21 @@ void expect_study(const std::string& name, Profile profile, Preset preset, std::
   EXPECT_EQ(one_at_a_time(study).size(), realizations) << name;
 }
 
+// The first study that anybody types.
+TEST(Examples, TheReadmesStudyIsSound) {
+  std::istringstream readme(text_of(std::filesystem::path(CPT_EXAMPLES) / ".." / "README.md"));
+  std::string study;
+  bool within = false;
+  for (std::string line; std::getline(readme, line);) {
+    if (line.starts_with("## ")) within = line == "## A study";
+    if (within && line.starts_with("Mistakes")) break;
+    if (within && line.starts_with("    ")) study += line.substr(4) + "\n";
+  }
+  EXPECT_NE(study.find("[parameters]"), std::string::npos);
+  // Tells what is wrong with it, if something is.
+  EXPECT_EQ(one_at_a_time(study_of(study)).size(), 13U);  // six bounds, six repeats, the baseline
+}
+
 TEST(Examples, HaveTheirRealizations) {
   expect_study("sens.toml", Profile::homogeneous_sand, Preset::quick, 27);
   expect_study("paper/homogeneous_sand.toml", Profile::homogeneous_sand, Preset::paper, 25);

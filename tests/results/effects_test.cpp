@@ -100,11 +100,14 @@ TEST_F(EffectsOf, AFailedCornerLeavesItsPairUndefined) {
 TEST_F(EffectsOf, AnIntervalThatIsMissingSaysWhy) {
   const auto note = [&](const std::set<std::string>& failing) {
     std::filesystem::remove(folder / "study.sqlite");
-    const Effects effects = design_effects(run("[design]\nkind = \"pairs\"\n", failing, "repeats = 2\n"));
+    const Effects effects = design_effects(run("[design]\nkind = \"pairs\"\n", failing, "repeats = 4\n"));
     return row(effects, "interaction", "sand.H", "chamber.wall").note;
   };
-  EXPECT_EQ(note({"pending repeat 1", "pending repeat 2"}), "no interval until the repeats have run");
-  EXPECT_EQ(note({"repeat 1", "repeat 2"}), "no interval: too few repeats completed");
+  EXPECT_EQ(note({"pending repeat 1", "pending repeat 2", "pending repeat 3", "pending repeat 4"}),
+            "no interval until the repeats have run");
+  EXPECT_EQ(note({"pending repeat 4"}), "interval of 3 of 4 repeats so far");
+  EXPECT_EQ(note({"repeat 1", "repeat 2", "repeat 3", "repeat 4"}), "no interval: too few repeats completed");
+  EXPECT_EQ(note({}), "");
 }
 
 TEST_F(EffectsOf, MorrisGivesWhatABoundToBoundChangeDoes) {
