@@ -16,9 +16,10 @@ namespace cpt::cli {
 namespace {
 
 // Of a realization, as its database has it.
-std::string status_of(const results::MatchedRun& run) {
+std::string status_of(const results::MatchedRun& run, bool under_way) {
   if (!run.held) return "new";
   if (run.held->damaged) return "damaged";
+  if (run.held->status == "running" && !under_way) return "interrupted";
   return run.held->status + (run.held->unused ? ", unused until now" : "");
 }
 
@@ -47,7 +48,8 @@ void print_plan(const parameters::Study& study) {
     }
     table.rows.push_back({std::int64_t{realization.id}, std::string(parameter_name(study, realization)),
                           std::string(to_string(realization.side)), value_text(study, realization), baseline,
-                          unit, found ? status_of(found->matching.realizations.at(k++)) : "new"});
+                          unit,
+                          found ? status_of(found->matching.realizations.at(k++), found->under_way) : "new"});
   }
   fmt::print("{}", results::format(table, results::Format::table));
   if (const std::string note = growth_note(study); !note.empty()) fmt::print("{}\n", note);

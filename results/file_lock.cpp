@@ -8,21 +8,16 @@
 
 #include <cerrno>
 #include <fstream>
-#include <string>
 
 #include "results/error.hpp"
 #include "results/refusal.hpp"
 
 namespace cpt::results {
-namespace {
-
-std::string holder(const std::filesystem::path& file) {
+std::string holder_of(const std::filesystem::path& file) {
   std::ifstream in(file);
   std::string line;
   return std::getline(in, line) && !line.empty() ? line : "another process";
 }
-
-}  // namespace
 
 bool still_named(int descriptor, const std::filesystem::path& file) {
   struct stat held {};
@@ -46,7 +41,7 @@ FileLock::FileLock(std::filesystem::path file) : file_(std::move(file)) {
       close(descriptor_);
       if (why == EWOULDBLOCK)
         throw Locked(fmt::format("{}: held by {}; wait until that campaign ends, or end it", file_.string(),
-                                 holder(file_)));
+                                 holder_of(file_)));
       throw Error(refusal(file_, "cannot be locked", why));
     }
     if (still_named(descriptor_, file_)) break;
@@ -63,7 +58,7 @@ FileLock::~FileLock() {
 }
 
 bool is_held(const std::filesystem::path& file) {
-  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) return errno != ENOENT;
   const bool held = flock(descriptor, LOCK_SH | LOCK_NB) != 0;
   close(descriptor);

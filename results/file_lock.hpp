@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace cpt::results {
 
@@ -28,5 +29,8 @@ class FileLock {
 /// Whether a FileLock holds the file now, here or elsewhere. Leaves nothing behind; for readers, to whom a
 /// file that cannot be looked at counts as held.
 [[nodiscard]] bool is_held(const std::filesystem::path& file);
+
+/// "process 1234", or "another process" where the file does not say: who holds it, if somebody does.
+[[nodiscard]] std::string holder_of(const std::filesystem::path& file);
 
 }  // namespace cpt::results

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "parameters/designs/one_at_a_time.hpp"
+#include "results/file_lock.hpp"
 #include "results/run_tables.hpp"
 #include "results/schema.hpp"
 #include "results/study_changes.hpp"
@@ -18,12 +19,13 @@ namespace cpt::results {
 namespace {
 
 /// How a stored run enters a new campaign.
-enum class Fate { keep_completed, keep_failed, wait, interrupted, retry, damaged };
+enum class Fate { keep_completed, keep_failed, wait, running, interrupted, retry, damaged };
 
-Fate fate_of(const HeldRun& run, bool retry_failed) {
+Fate fate_of(const HeldRun& run, bool retry_failed, bool under_way = false) {
   if (run.damaged) return Fate::damaged;
   if (run.status == "completed") return Fate::keep_completed;
   if (run.status == "pending") return Fate::wait;
+  if (run.status == "running" && under_way && !run.unused) return Fate::running;
   if (!run.finished()) return Fate::interrupted;
   return retry_failed ? Fate::retry : Fate::keep_failed;
 }
@@ -88,7 +90,7 @@ Matching match(const Database& database, const parameters::Study& study,
 }
 
 Opened describe(const Matching& matching, const std::vector<std::string>& changes, bool created,
-                bool retry_failed) {
+                bool retry_failed, bool under_way) {
   Opened opened;
   opened.created = created;
   for (const MatchedRun& realization : matching.realizations) {
@@ -96,9 +98,10 @@ Opened describe(const Matching& matching, const std::vector<std::string>& change
       ++opened.fresh;
       continue;
     }
-    const Fate fate = fate_of(*realization.held, retry_failed);
+    const Fate fate = fate_of(*realization.held, retry_failed, under_way);
     opened.kept += fate == Fate::keep_completed;
     opened.failed += fate == Fate::keep_failed;
+    opened.running += fate == Fate::running;
     opened.interrupted += fate == Fate::interrupted;
     opened.retried += fate == Fate::retry;
     opened.damaged += fate == Fate::damaged;
@@ -123,6 +126,7 @@ Opened describe(const Matching& matching, const std::vector<std::string>& change
   say(opened.kept, "kept: completed before with the same settings");
   say(opened.failed, "failed before and not run again (--retry-failed runs them)");
   say(opened.used_again, "among these unused until now: the study has their settings again");
+  say(opened.running, "running now");
   say(opened.retried, "failed before and to be run again");
   say(opened.interrupted, "interrupted before and to be run again");
   say(opened.damaged,
@@ -148,9 +152,15 @@ std::optional<Prospect> prospect(const parameters::Study& study) {
   const Database database(study.database, Database::Mode::read_only);
   if (is_empty(database)) return std::nullopt;
   check_schema(database);
+  const std::filesystem::path lock = study.database.string() + ".lock";
+  const bool under_way = is_held(lock);  // before the rows, as read_snapshot
   const Transaction transaction(database, Transaction::Kind::read);
-  Prospect found{match(database, study, parameters::one_at_a_time(study)), {}, ""};
-  found.opened = describe(found.matching, study_changes(database, study), false, false);
+  Prospect found{match(database, study, parameters::one_at_a_time(study)), {}, "", under_way};
+  found.opened = describe(found.matching, study_changes(database, study), false, false, under_way);
+  if (under_way)
+    found.opened.messages.push_back(
+        fmt::format("a campaign runs on this database now, {} holds {}: another can start when it has ended",
+                    holder_of(lock), lock.filename().string()));
   Statement campaign = database.prepare("SELECT study_text FROM campaign");
   if (campaign.step()) found.stored_text = campaign.text(0);
   return found;

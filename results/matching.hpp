@@ -43,15 +43,17 @@ struct Matching {
 [[nodiscard]] Matching match(const Database& database, const parameters::Study& study,
                              std::span<const parameters::Realization> realizations);
 
-/// Counts, and says it in sentences, with what was edited in the study (study_changes.hpp).
+/// Counts, and says it in sentences, with what was edited in the study (study_changes.hpp). `under_way`: what
+/// is marked as running does run, by another campaign.
 [[nodiscard]] Opened describe(const Matching& matching, const std::vector<std::string>& changes, bool created,
-                              bool retry_failed);
+                              bool retry_failed, bool under_way = false);
 
 /// What a campaign of a study would find in its database.
 struct Prospect {
   Matching matching;
   Opened opened;
   std::string stored_text;  ///< of the study as it is stored
+  bool under_way = false;   ///< another campaign holds the database's lock
 };
 /// Reads only; nothing where there is no database. Throws as read_snapshot.
 [[nodiscard]] std::optional<Prospect> prospect(const parameters::Study& study);

@@ -14,6 +14,7 @@ struct Opened {
   int used_again = 0;    ///< of the two: unused until now
   int interrupted =
       0;              ///< were running, or lost with their rank, when the last campaign ended: pending again
+  int running = 0;    ///< run now, by the campaign that holds the lock: only of a look at its database
   int retried = 0;    ///< failed ones set back to pending because retry_failed asked for it
   int damaged = 0;    ///< no longer match their checksum: pending again
   int fresh = 0;      ///< not in the database: pending

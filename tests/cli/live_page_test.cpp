@@ -12,24 +12,17 @@
 namespace cpt::tests {
 namespace {
 
-// Ten realizations; the two of sand.nu come last, and wait for the gate.
-constexpr const char* study = R"(profile = "homogeneous_sand"
-preset = "quick"
-[parameters]
-"sand.nu" = { baseline = 0.2, lower = 0.1, upper = 0.3 }
-"sand.H" = { baseline = 25, upper = 75 }
-"sand.D_r_percent" = { baseline = 36, lower = 26, upper = 46 }
-"initial.sigma_h0_kPa" = { baseline = 25, lower = 15, upper = 35 }
+// With the small study's rows ten realizations; the two of sand.nu come last, and wait for the gate.
+constexpr const char* more_rows = R"("initial.sigma_h0_kPa" = { baseline = 25, lower = 15, upper = 35 }
 "contact.friction_ratio" = { baseline = 0.5, lower = 0.3, upper = 0.9 }
-[[windows]]
-name = "deep"
-from_m = 0.5054
-to_m = 0.5255
 )";
 
 class LivePage : public testing::Test {
  protected:
-  LivePage() { folder_.write("small.toml", study); }
+  LivePage() {
+    std::string study = folder_.read("small.toml");
+    folder_.write("small.toml", study.insert(study.find("\n[[windows]]"), more_rows));
+  }
 
   [[nodiscard]] Command command(std::vector<std::string> more = {}) const {
     std::vector<std::string> words{folder_.study(), "--executor", FAKE_REALIZATION, "--slots", "1"};
@@ -53,6 +46,29 @@ class LivePage : public testing::Test {
 };
 
 const std::string so_far = "\"state\":\"8 of 10 realizations completed, 2 still to run\"";
+
+// The plan of a study whose campaign runs, and of one whose campaign was killed.
+TEST_F(LivePage, APlanTellsWhatRunsNowFromWhatWasInterrupted) {
+  const auto plan = [&] { return run(campaign({folder_.study(), "--plan"})).out; };
+  const auto says = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
+  };
+  {
+    Background job(command({"--no-report"}), gated());
+    ASSERT_TRUE(eventually([&] {
+      const std::string text = plan();
+      return text.find("8 realizations kept") != std::string::npos &&
+             text.find("1 realization running now") != std::string::npos;
+    }));
+    const std::string now = plan();
+    says(now, "a campaign runs on this database now, process " + std::to_string(job.pid()) +
+                  " holds small.sqlite.lock");
+    EXPECT_EQ(now.find("interrupted"), std::string::npos) << now;
+  }
+  const std::string then = plan();
+  says(then, "1 realization interrupted before and to be run again");
+  EXPECT_EQ(then.find("running"), std::string::npos) << then;
+}
 
 TEST_F(LivePage, IsThereAfterTheLeadingRowsAndFillsItself) {
   Background job(command(), gated());
