@@ -227,7 +227,8 @@ class RequestReader {
     else if (known_ && solver::exceeds(sounding.to, final_depth))
       errors_.add(place, joined(list, "to_m"),
                   fmt::format("{} m is below the end of the study's push, penetrometer.final_depth_m = {}",
-                              sounding.to, final_depth));
+                              sounding.to, final_depth),
+                  fmt::format("compare from 0.03 m or deeper to at most {:g} m", final_depth));
     else if (solver::falls_short(sounding.from, 0.03))
       errors_.add(
           table.find("from_m")->value.place, joined(list, "from_m"),

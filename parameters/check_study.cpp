@@ -91,6 +91,18 @@ std::string deeper_hint(const Study& study, double depth) {
              : "";
 }
 
+// Where the depths of a window may lie that the push has from `start` to `end`; an end that is itself in
+// doubt is infinite. Nothing where there is no room.
+std::string range_hint(const Window& window, double start, double end) {
+  const bool fixed = window.kind == Window::Kind::fixed;
+  const double margin = fixed ? 0.0 : window.width / 2.0;
+  const double from = std::ceil((start + margin) * 1e4 - 1e-6) / 1e4, to = end - margin;
+  if (!(from < to)) return "";
+  const std::string_view which = fixed ? "from_m and to_m" : "between_m, with half of width_m to spare,";
+  return std::isinf(to) ? fmt::format("{} may lie from {:.4f} m on", which, from)
+                        : fmt::format("{} may lie from {:.4f} to {:.6g} m", which, from, to);
+}
+
 void check_windows(const Study& study, const QuantitySections& sections, const StudyPlaces& places,
                    ErrorList& errors) {
   double start = 0.0, end = INFINITY, bin = 0.0;  // [m] what every realization covers
@@ -107,15 +119,20 @@ void check_windows(const Study& study, const QuantitySections& sections, const S
     const double width = fixed ? window.to - window.from : window.width;
     const std::string key = fmt::format("windows.{}", window.name);
     const Place place = places.windows[i];
-    if (solver::exceeds(window.to + margin, end) && !sections.doubtful.contains("penetrometer.final_depth_m"))
+    const bool sound_end = !sections.doubtful.contains("penetrometer.final_depth_m");
+    const std::string range = range_hint(window, start, sound_end ? end : INFINITY);
+    if (solver::exceeds(window.to + margin, end) && sound_end) {
+      const std::string deeper = deeper_hint(study, window.to + margin);
       errors.add(place, key,
                  fmt::format("reaches {:.6g} m, but the push ends at penetrometer.final_depth_m = {}",
                              window.to + margin, end),
-                 deeper_hint(study, window.to + margin));
+                 deeper.empty() ? range : deeper);
+    }
     if (solver::falls_short(window.from - margin, start))
       errors.add(place, key,
                  fmt::format("starts at {:.6g} m, above the depth of the tip at the start, {:.4f} m",
-                             window.from - margin, start));
+                             window.from - margin, start),
+                 range);
     if (solver::falls_short(width, bin) && !sections.doubtful.contains("numerics.bin_height_m"))
       errors.add(place, key,
                  fmt::format("is {} m wide, less than one bin of the recording, numerics.bin_height_m = {}",

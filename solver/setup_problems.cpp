@@ -20,6 +20,13 @@ constexpr double touching = 1.0e-9;        // [m] interfaces closer than this ar
 constexpr int max_zone_columns = 5000;     // [-]
 constexpr double max_zone_rows = 20000.0;  // [1/m]
 
+// "; initial.sigma_h0_kPa may be 13.2 to 211", rounded inwards to tenths.
+std::string range_of_sigma_h(double least, double most) {
+  least = std::ceil(least * 1e-2 - 1e-6) / 10.0;
+  most = std::floor(most * 1e-2 + 1e-6) / 10.0;
+  return least <= most ? fmt::format("; initial.sigma_h0_kPa may be {:g} to {:g}", least, most) : "";
+}
+
 class Check {
  public:
   explicit Check(const Setup& setup) : setup_(setup) {}
@@ -53,7 +60,10 @@ class Check {
   void values();
   void layers();
   void sand();
+  [[nodiscard]] bool bears(double sigma_h) const;
+  [[nodiscard]] std::string range_of_sand() const;
   void clay();
+  [[nodiscard]] std::string range_of_clay() const;
   bool wall_shear(const Layer& layer, double K_0);
   void geometry();
   bool zones();
@@ -128,10 +138,32 @@ void Check::sand() {
     add("initial.sigma_h0_kPa",
         fmt::format(
             "{} and {} (K_0 = {:.3g}) make a stress ratio q/p' of {:.3g}, but this sand bears at most {:.3g} "
-            "(state parameter {:+.3f} at {}, {}, {})",
+            "(state parameter {:+.3f} at {}, {}, {}){}",
             given("initial.sigma_h0_kPa"), given("initial.sigma_v0_kPa"), sigma_h / sigma_v,
             state.q / state.p, std::max(0.0, state.M_i * (1.0 + std::log(state.p_mx / state.p))), state.psi,
-            given("sand.D_r_percent"), given("sand.phi_cs_deg"), given("sand.chi_tc")));
+            given("sand.D_r_percent"), given("sand.phi_cs_deg"), given("sand.chi_tc"), range_of_sand()));
+}
+
+// Whether NorSand can start from the vertical stress and this horizontal one.
+bool Check::bears(double sigma_h) const {
+  const double sigma_v = setup_.initial.sigma_v0, e = bulk(setup_, Soil::sand).e;
+  if ((sigma_v + 2.0 * sigma_h) / 3.0 <= setup_.sand.p_min) return false;
+  const NorSand law(setup_.sand);
+  const double p_i = law.initial_image_pressure(-sigma_h, -sigma_v, -sigma_h, 0.0, e) / setup_.sand.OCR;
+  return p_i < law.evaluate({-sigma_h, -sigma_v, -sigma_h, 0.0}, e, p_i).p_mx;
+}
+
+// "; initial.sigma_h0_kPa may be 13 to 210", sought on both sides of equal stresses, which any sand bears.
+std::string Check::range_of_sand() const {
+  const auto limit = [&](double beyond) {
+    double borne = setup_.initial.sigma_v0;
+    if (bears(beyond)) return beyond;
+    for (int i = 0; i < 40; ++i) (bears(0.5 * (borne + beyond)) ? borne : beyond) = 0.5 * (borne + beyond);
+    return borne;
+  };
+  const Quantity& sigma_h = *find_quantity("initial.sigma_h0_kPa");
+  return bears(setup_.initial.sigma_v0) ? range_of_sigma_h(limit(sigma_h.min * 1e3), limit(sigma_h.max * 1e3))
+                                        : "";
 }
 
 void Check::clay() {
@@ -145,11 +177,23 @@ void Check::clay() {
     }
     add("initial.sigma_h0_kPa", fmt::format("{} and {} (K_0 = {:.3g}) make a stress difference of {:.3g} kPa "
                                             "at {} m, but Tresca bears at most "
-                                            "2 s_u, and {}",
+                                            "2 s_u, and {}{}",
                                             given("initial.sigma_h0_kPa"), given("initial.sigma_v0_kPa"), K_0,
-                                            q / 1e3, layer.bottom, given("clay.s_u_kPa")));
+                                            q / 1e3, layer.bottom, given("clay.s_u_kPa"), range_of_clay()));
     return;
   }
+}
+
+// Of all clay layers. None is told where the wall's friction narrows it.
+std::string Check::range_of_clay() const {
+  if (setup_.mechanisms.wall_friction.coefficient > 0.0) return "";
+  double largest = 0.0;
+  for (const Layer& layer : setup_.layers)
+    if (layer.soil == Soil::clay) largest = std::max(largest, vertical_stress(setup_, -layer.bottom));
+  const double away = 2.0 * setup_.clay.s_u / largest, sigma_v = setup_.initial.sigma_v0;
+  const Quantity& sigma_h = *find_quantity("initial.sigma_h0_kPa");
+  return range_of_sigma_h(std::max(sigma_h.min * 1e3, sigma_v * (1.0 - away)),
+                          std::min(sigma_h.max * 1e3, sigma_v * (1.0 + away)));
 }
 
 // At the wall its friction comes on top of the stress difference.

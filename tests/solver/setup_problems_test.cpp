@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <functional>
+#include <string>
 
 #include "solver/presets.hpp"
 #include "solver/quantities.hpp"
@@ -118,6 +120,31 @@ TEST(Problems, BoundsOnK0OfSand) {
   EXPECT_FALSE(borne(0.30, 0.01));  // loose sand little more than M_tc = 1.2
   EXPECT_TRUE(borne(2.5, 0.36));
   EXPECT_FALSE(borne(8.0, 0.36));
+}
+
+// What the refusal offers is taken, and little beyond it refused.
+TEST(Problems, ARefusedK0NamesTheHorizontalStressesThatDo) {
+  for (const Profile profile : {Profile::homogeneous_sand, Profile::homogeneous_clay}) {
+    solver::Setup setup = make_setup(profile, Preset::quick);
+    setup.initial.sigma_h0 = 8.0 * setup.initial.sigma_v0;
+    const auto found = problems(setup);
+    ASSERT_EQ(found.size(), 1u);
+    const std::string& message = found[0].message;
+    const std::string offer = "; initial.sigma_h0_kPa may be ";
+    const std::size_t at = message.find(offer);
+    ASSERT_NE(at, std::string::npos) << message;
+    double least = 0.0, most = 0.0;
+    ASSERT_EQ(std::sscanf(message.c_str() + at + offer.size(), "%lf to %lf", &least, &most), 2) << message;
+    const auto borne = [&](double kPa) {
+      setup.initial.sigma_h0 = kPa * 1e3;
+      return problems(setup).empty();
+    };
+    EXPECT_LT(least, most);
+    EXPECT_TRUE(borne(least)) << message;
+    EXPECT_TRUE(borne(most)) << message;
+    EXPECT_FALSE(borne(least - 0.2)) << message;
+    EXPECT_FALSE(borne(most + 0.2)) << message;
+  }
 }
 
 TEST(Problems, OnlySoilsOfTheProfileAreJudged) {
