@@ -35,6 +35,22 @@ Examples:
   return help;
 }
 
+// Where the study has repeats the noise is theirs, else the spread inside the window.
+void tell_which_noise(const results::LedgerView& ledger) {
+  const results::Table judged = results::query_sql(ledger.database, R"sql(
+SELECT repeated, group_concat(window, ', ') FROM (
+  SELECT s.window AS window, max(si_half_width IS NOT NULL) AS repeated
+  FROM sensitivity AS s JOIN depth_window AS w ON w.name = s.window
+  WHERE above_noise IS NOT NULL GROUP BY s.window ORDER BY w.position)
+GROUP BY repeated ORDER BY repeated DESC)sql");
+  for (const auto& row : judged.rows)
+    fmt::print(
+        stderr, "note: above_noise in {}: |si| {}\n", std::get<std::string>(row[1]),
+        std::get<std::int64_t>(row[0]) != 0
+            ? "> si_half_width, half the 95 % interval from the repeats"
+            : "> si_noise, the spread of the baseline inside the window, as there are no results of repeats");
+}
+
 int query(const QueryArguments& arguments) {
   const bool sql = arguments.what == "sql";
   if (sql == arguments.sql.empty())
@@ -47,6 +63,7 @@ int query(const QueryArguments& arguments) {
     throw BadInput(
         "the study has no [design]; of one-at-a-time runs, campaign query STUDY sensitivity tells");
   fmt::print("{}", results::format(table, arguments.format));
+  if (arguments.what == "sensitivity" || arguments.what == "tornado") tell_which_noise(ledger);
   // They have no rows: what is missing must not be missed.
   if (arguments.what == "windows")
     for (const auto& row :

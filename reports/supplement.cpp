@@ -11,6 +11,7 @@
 #include "reports/notes.hpp"
 #include "reports/palette.hpp"
 #include "results/audit_bounds.hpp"
+#include "results/effects.hpp"
 #include "results/model_remarks.hpp"
 
 namespace cpt::reports {
@@ -135,7 +136,8 @@ std::string loud_inputs(const Snapshot& s, const std::vector<results::Sensitivit
     }
   const bool repeated =
       std::ranges::any_of(rows, [](const auto& row) { return row.above_repeats.has_value(); });
-  const std::string noise = repeated ? "the noise of the repeats" : "the noise of the baseline";
+  const std::string noise =
+      repeated ? "the noise of the repeats" : "the noise of the baseline, its spread inside the window";
   std::string text =
       names.empty() ? "No input is above " + noise + "." : "Above " + noise + ": " + names + ".";
   if (repeated && std::isfinite(rows.front().si_noise))
@@ -161,11 +163,12 @@ void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& win
       depth_range(window.from_m, window.to_m), number(rows.front().q_baseline_kPa, 5),
       decimals(rows.front().si_noise, 4)));
   if (const std::string remark = window_remark(s, window); !remark.empty()) out.paragraph(remark);
+  const std::string so_far = results::repeats_so_far(s);
   if (const auto* noise = repeat_noise_of(s, window.name))
     out.paragraph(fmt::format(
         "± is half the row's own 95 % interval of SI from {} runs of the baseline with shifted material "
-        "points, which scatter by {} kPa (standard deviation){}. {}",
-        noise->runs, number(noise->q_c_deviation_kPa, 3),
+        "points{}, which scatter by {} kPa (standard deviation){}. {}",
+        noise->runs, so_far.empty() ? "" : ", " + so_far, number(noise->q_c_deviation_kPa, 3),
         std::ranges::any_of(rows, [](const auto& row) { return row.pairs > 0; })
             ? ", or, where its bounds were repeated, too, from these pairs"
             : "",

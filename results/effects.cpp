@@ -132,10 +132,8 @@ class WindowEffects {
   }
   // An interval from some of them is not the one to come.
   [[nodiscard]] std::string some_repeats() const {
-    std::size_t all = 0, waiting = 0;
-    for (const RealizationRow& run : s_.realizations)
-      if (run.side == "repeat") ++all, waiting += run.waiting() ? 1 : 0;
-    return waiting == 0 ? "" : fmt::format("interval of {} of {} repeats so far", all - waiting, all);
+    const std::string so_far = repeats_so_far(s_);
+    return so_far.empty() ? "" : "interval of " + so_far;
   }
 
   // Without runs beside each other the interval is that of the repeats, each result scattering by the same
@@ -216,6 +214,13 @@ class WindowEffects {
 };
 
 }  // namespace
+
+std::string repeats_so_far(const Snapshot& s) {
+  std::size_t all = 0, waiting = 0;
+  for (const RealizationRow& run : s.realizations)
+    if (run.side == "repeat") ++all, waiting += run.waiting() ? 1 : 0;
+  return waiting == 0 ? "" : fmt::format("{} of {} repeats so far", all - waiting, all);
+}
 
 Effects design_effects(const Snapshot& s) {
   Effects effects;

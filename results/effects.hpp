@@ -27,6 +27,9 @@ struct Effects {
   std::string problem;                   ///< why the stored study cannot be read; empty if it can
 };
 
+/// "3 of 4 repeats so far"; empty once none is to come.
+[[nodiscard]] std::string repeats_so_far(const Snapshot& campaign);
+
 /// The design is that of the study's text in the ledger. No rows for a study without [design], whose indices
 /// are Snapshot::sensitivity, and for a ledger that holds none of the design's runs. Runs that failed or have
 /// not been made are left out as each estimator says (parameters/designs/), and counted.

@@ -16,6 +16,12 @@ const label_of = (p) => [...p.label, [p.unit && p.unit !== "-" ? ` (${p.unit})` 
 const bound_run = (parameter, side) => runs.find((run) => run.parameter === parameter && run.side === side);
 const indices_in = (window) => data.sensitivity.filter((row) => row.window === window.name);
 const repeats_in = (window) => data.repeat_noise.find((row) => row.window === window.name);
+/// "3 of 4 repeats so far"; empty once none is to come.
+function repeats_so_far() {
+  const all = runs.filter((run) => run.side === "repeat");
+  const left = all.filter(waiting).length;
+  return left ? `${all.length - left} of ${all.length} repeats so far` : "";
+}
 const within_noise = (row) => row.above_noise === 0;  // of the repeats; without them SI_noise
 const is_loud = (row) => known(row.si) && !within_noise(row);
 const swing = (row) => Math.abs(row.q_upper_kPa - row.q_lower_kPa);

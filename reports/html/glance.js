@@ -43,7 +43,7 @@ function of_noise(window) {
   if (!rows.some(varies) || !rows.some((row) => known(row.above_noise))) return [];
   const told = loud.length > 8 ? d3.sort(loud, (row) => -row.si_abs).slice(0, 6) : loud;
   return [`The index of ${loud.length} of ${rows.length} inputs exceeds the noise of ` +
-    (repeats ? `the baseline's ${repeats.runs - 1} repeats` : "the baseline"),
+    (repeats ? `the baseline's ${repeats_so_far() || `${repeats.runs - 1} repeats`}` : "the baseline, its spread inside the window"),
     ...told.flatMap((row, k) => [k ? ", " : told === loud ? ": " : ", most that of ", rich(parameter_of.get(row.parameter).label)]), ". ",
     ...(repeats && rows.some((row) => known(row.above_si_noise))
       ? ["By the paper's ", rich([["SI", false], ["noise", true]]),

@@ -131,12 +131,14 @@ function sensitivity() {
         figure(`Sensitivity indices in window ${window.name}`,
           el("span", {}, "Size of SI = (", rich(q_c), " at the upper − at the lower bound) / ", rich(q_c),
             " at the upper bound, with its sign as a number", repeats ? `, and its own 95 % interval from ${repeats.runs} runs ` +
-              "of the baseline with shifted material points" +
+              "of the baseline with shifted material points" + (repeats_so_far() && `, ${repeats_so_far()}`) +
               (rows.some((row) => row.pairs) ? ", or where its bounds were repeated, too, from these pairs" : "") : "", ";", key("faint"),
             repeats ? "within that interval of 0, so perhaps noise;" : "within the noise;", el("span", { class: "key line" }),
             "spread of the baseline inside the window, the paper's ", rich([["SI", false], ["noise", true]]),
             ` = ${decimals(noise, 4)}${repeats || !known(noise) ? "" : `, which is the noise here${without_repeats()}`}.`), indices(window))),
       el("details", {}, el("summary", {}, `Numbers of ${window.name}`),
+        el("p", { class: "muted" }, "Grey: not run yet, or not above the noise: SI no larger than ",
+          ...(repeats ? ["its ± from the repeats."] : [rich([["SI", false], ["noise", true]]), ", the spread of the baseline inside the window."])),
         table([{ name: "input" }, { name: "meaning", long: true }, { name: "lower", numeric: true }, { name: "baseline", numeric: true },
                { name: "upper", numeric: true }, { name: "unit" }, { name: "q_c at lower (kPa)", numeric: true },
                { name: "q_c at upper (kPa)", numeric: true }, { name: "SI (-)", numeric: true },

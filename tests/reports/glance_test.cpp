@@ -74,6 +74,25 @@ TEST_F(Glance, NamesTheDesignsLargestEffect) {
   }
 }
 
+TEST_F(Glance, SaysWhichNoiseAndHowManyRepeatsAreStillToCome) {
+  const auto grey = [&]() -> std::string {
+    return value("document.querySelector('#sensitivity details p').textContent");
+  };
+  expect(said(run_made_up(sand_study(folder))),
+         "exceeds the noise of the baseline, its spread inside the window");
+  expect(grey(), "SI no larger than SInoise, the spread of the baseline inside the window");
+  fs::create_directory(folder / "repeated");
+  auto study = sand_study(folder / "repeated");
+  add_repeats(study, 4);
+  auto campaign = run_made_up(study);
+  EXPECT_EQ(said(campaign).find("so far"), std::string::npos);
+  EXPECT_EQ(text("#sensitivity").find("so far"), std::string::npos);
+  expect(grey(), "SI no larger than its ± from the repeats");
+  std::ranges::find(campaign.realizations, "repeat", &results::RealizationRow::side)->status = "pending";
+  expect(said(campaign), "exceeds the noise of the baseline's 3 of 4 repeats so far");
+  expect(text("#sensitivity"), "of the baseline with shifted material points, 3 of 4 repeats so far");
+}
+
 TEST_F(Glance, SaysThatNothingChangesWhereNothingDoes) {
   auto campaign = run_made_up(sand_study(folder));
   for (auto& mean : campaign.window_means) mean.q_c_mean_kPa = mean.q_c_min_kPa = mean.q_c_max_kPa = 1000.0;

@@ -114,7 +114,10 @@ TEST_F(Report, SupplementsSentencesAgreeWithTheNumbers) {
   EXPECT_TRUE(has(text, "Above the noise of the repeats: "));
   EXPECT_TRUE(has(text, "definition, " + std::to_string(paper) + " would be."));
   EXPECT_FALSE(has(text, "Runs out of line"));
+  EXPECT_FALSE(has(text, "so far"));
   for (auto& row : campaign.sensitivity) row.above_noise = false;
+  std::ranges::find(campaign.realizations, "repeat", &results::RealizationRow::side)->status = "pending";
+  EXPECT_TRUE(has(flat(words()), "points, 3 of 4 repeats so far, which scatter"));
   campaign.realizations[2].out_of_line = "energy error -18 %";
   campaign.realizations[2].audit.energy_error = -0.18;
   text = flat(words());
