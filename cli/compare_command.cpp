@@ -26,6 +26,8 @@ int compare_campaigns(const CompareArguments& arguments) {
                                : arguments.what == "sensitivity" ? results::compare_sensitivity(a, b)
                                                                  : results::compare_means(a, b);
   fmt::print("{}", results::format(table, arguments.format));
+  if (const std::string apart = results::windows_apart(a, b); !apart.empty() && arguments.what != "settings")
+    fmt::print(stderr, "note: {}\n", apart);
   return all_well;
 }
 

@@ -144,4 +144,24 @@ Table compare_sensitivity(const Snapshot& a, const Snapshot& b) {
   return table;
 }
 
+std::string windows_apart(const Snapshot& a, const Snapshot& b) {
+  if (a.windows.empty() || b.windows.empty()) return "";
+  const auto shared = [&](const WindowRow& window) {
+    return std::ranges::find(b.windows, window.name, &WindowRow::name) != b.windows.end();
+  };
+  if (std::ranges::any_of(a.windows, shared)) return "";
+  const auto listed = [](const Snapshot& s) {
+    std::string text;
+    for (const WindowRow& window : s.windows)
+      text += fmt::format("{}{}{}", text.empty() ? "" : ", ", window.name,
+                          std::isfinite(window.from_m)
+                              ? fmt::format(" ({:.6g} to {:.6g} m)", window.from_m, window.to_m)
+                              : "");
+    return text;
+  };
+  return fmt::format(
+      "no window of a has the name of one of b, so no value stands beside another: a has {}; b has {}",
+      listed(a), listed(b));
+}
+
 }  // namespace cpt::results

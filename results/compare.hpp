@@ -20,4 +20,7 @@ namespace cpt::results {
 /// or the notes of both.
 [[nodiscard]] Table compare_sensitivity(const Snapshot& a, const Snapshot& b);
 
+/// "no window of a is one of b: a has ...; b has ..."; empty where they share one by name, or one has none.
+[[nodiscard]] std::string windows_apart(const Snapshot& a, const Snapshot& b);
+
 }  // namespace cpt::results
