@@ -156,7 +156,13 @@ void add_run(CLI::App& program, Action& action) {
   command->add_flag("--no-report", arguments->no_report,
                     "Write no report, neither while it runs nor at the end");
   add_executor_option(*command, arguments->executor);
-  command->footer(std::string("No result depends on slots, threads or ranks.\n\n") + exit_code_help);
+  command->footer(std::string(R"(No result depends on slots, threads or ranks.
+
+Under mpirun it is mpirun that writes what the ranks print. Where it cannot, its own standard output being full or
+closed, the program does not learn of it, and the exit code stays that of the campaign. Then take --quiet, or write to
+a file and look for its last line, or ask afterwards: campaign query STUDY realizations.
+
+)") + exit_code_help);
   command->callback([arguments, &action] {
     arguments->options.realization_command = realization_command(arguments->executor);
     action = [arguments] { return run(*arguments); };
