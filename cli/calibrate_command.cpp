@@ -9,6 +9,7 @@
 #include "cli/cells.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/set_quantity.hpp"
 #include "cli/study_argument.hpp"
 #include "parameters/calibration/hardening.hpp"
@@ -36,8 +37,16 @@ std::vector<calibration::TriaxialCurve> read_curves(const CalibrateArguments& ar
   if (arguments.D_r_percent && arguments.e_0) throw BadInput("give either --D_r_percent or --e0");
   std::vector<calibration::TriaxialCurve> curves;
   std::vector<calibration::CurveProblem> problems;
+  std::string told;  // of files that cannot be read
   for (const std::filesystem::path& file : arguments.files) {
-    auto read = calibration::read_triaxial_curve(file);
+    std::string text;
+    try {
+      text = read_input(InputKind::triaxial_test, file);
+    } catch (const BadInput& unreadable) {
+      told += unreadable.what() + std::string("\n");
+      continue;
+    }
+    auto read = calibration::parse_triaxial_curve(text, file);
     if (const auto* found = std::get_if<std::vector<calibration::CurveProblem>>(&read)) {
       problems.insert(problems.end(), found->begin(), found->end());
       continue;
@@ -56,7 +65,9 @@ std::vector<calibration::TriaxialCurve> read_curves(const CalibrateArguments& ar
            "no density: add '# D_r_percent = X' or '# e0 = X', or give --D_r_percent or --e0"});
     curves.push_back(std::move(curve));
   }
-  if (!problems.empty()) throw BadInput(calibration::format(problems));
+  told += calibration::format(problems);
+  while (told.ends_with('\n')) told.pop_back();
+  if (!told.empty()) throw BadInput(told);
   return curves;
 }
 

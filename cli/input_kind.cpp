@@ -7,12 +7,13 @@
 
 #include "cli/study_argument.hpp"
 #include "parameters/document.hpp"
+#include "results/error.hpp"
 #include "results/file_bytes.hpp"
 
 namespace cpt::cli {
 namespace {
 
-constexpr std::size_t largest_input = 64U << 20U;  // [bytes]
+constexpr std::size_t largest_recording = 256U << 20U, largest_table = 1024U << 20U;  // [bytes]
 
 // What a kind is called, and which commands take it.
 struct Described {
@@ -27,12 +28,24 @@ Described described(InputKind kind) {
       return {"a request for a diagnosis", "campaign diagnose takes it"};
     case InputKind::plan:
       return {"a plan of concealed cases", "campaign conceal and campaign reveal take it"};
+    case InputKind::recording:
+      return {"a recording", "campaign recording and the requests of campaign diagnose take it"};
+    case InputKind::triaxial_test:
+      return {"a triaxial test", "campaign element calibrate takes it"};
+    case InputKind::table:
+      return {"a table", "campaign import takes it"};
     case InputKind::database:
       return {"a database", "query, compare, export, report and numerics take it"};
     case InputKind::other:
       break;
   }
   return {"another file", ""};
+}
+
+std::size_t largest(InputKind kind) {
+  return kind == InputKind::recording ? largest_recording
+         : kind == InputKind::table   ? largest_table
+                                      : results::largest_text;
 }
 
 }  // namespace
@@ -50,14 +63,12 @@ InputKind kind_of(std::string_view content) {
 
 std::string read_input(InputKind wanted, const std::filesystem::path& file) {
   std::error_code why;
-  std::optional<std::string> text = results::bytes_of(file, why, largest_input);
-  if (!text) {
-    const std::string cause = why == std::errc::file_too_large
-                                  ? fmt::format("more than {} MiB", largest_input >> 20U)
-                                  : why.message();
-    throw BadInput(
-        fmt::format("{}: cannot be read as {} ({})", file.string(), described(wanted).name, cause));
-  }
+  std::optional<std::string> text = results::bytes_of(file, why, largest(wanted));
+  if (why == std::errc::interrupted)
+    throw results::Interrupted(fmt::format("{}: a signal ended the wait for it", file.string()));
+  if (!text)
+    throw BadInput(fmt::format("{}: cannot be read as {} ({})", file.string(), described(wanted).name,
+                               results::cause_of(file, why, largest(wanted))));
   const InputKind kind = kind_of(*text);
   // A plan that lacks its [cases] looks like a request.
   const bool plan_without_cases = wanted == InputKind::plan && kind == InputKind::request;

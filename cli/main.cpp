@@ -113,6 +113,11 @@ int complain(std::string_view message, int code) {
   return code;
 }
 
+int unless_stopped(int code) {
+  const int signal = campaign::StopSignals::received();
+  return signal == 0 ? code : cli::stopped_by_signal + signal;
+}
+
 // A reader, or a campaign at its start, waits for a database that another program keeps locked, and says so.
 bool wait_for_database(const std::filesystem::path& database, double seconds) {
   constexpr double longest = 600.0, silent = 2.0;  // [s]
@@ -135,8 +140,9 @@ int outcome(int argc, char** argv) {
   } catch (const results::Locked& problem) {
     return complain(problem.what(), cli::database_in_use);
   } catch (const results::Busy& problem) {
-    const int signal = campaign::StopSignals::received();
-    return complain(problem.what(), signal == 0 ? cli::unusable_file : cli::stopped_by_signal + signal);
+    return complain(problem.what(), unless_stopped(cli::unusable_file));
+  } catch (const results::Interrupted& problem) {
+    return complain(problem.what(), unless_stopped(cli::unusable_file));
   } catch (const results::Error& problem) {
     return complain(problem.what(), cli::unusable_file);
   } catch (const std::filesystem::filesystem_error& problem) {

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "cli/export_format.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/study_argument.hpp"
 #include "parameters/written_number.hpp"
 #include "recordings/delimited.hpp"
@@ -18,18 +17,6 @@
 
 namespace cpt::cli {
 namespace {
-
-constexpr std::uintmax_t largest_file = 1024U << 20U;  // [bytes]
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::ifstream stream;
-  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
-  if (!stream.is_open()) throw BadInput(fmt::format("{}: there is no file that can be read", file.string()));
-  if (std::filesystem::file_size(file, ignored) > largest_file)
-    throw BadInput(fmt::format("{}: is larger than {} MiB", file.string(), largest_file >> 20U));
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 // Without the folders above: they may name a machine or a user.
 std::string name_of(const std::filesystem::path& file, bool with_folder) {
@@ -59,7 +46,7 @@ parameters::FieldTable parsed(const std::string& bytes, const std::filesystem::p
 }
 
 void add_table(const std::filesystem::path& file, bool in_folder, TableFiles& found) {
-  const std::string bytes = bytes_of(file);
+  const std::string bytes = read_input(InputKind::table, file);
   found.tables.push_back(parsed(bytes, file));
   found.files.push_back({name_of(file, in_folder), results::sha256(bytes)});
 }
@@ -99,7 +86,7 @@ TableFiles read_export(const std::filesystem::path& source) {
     refuse_strangers(source);
     return found;
   }
-  const std::string bytes = bytes_of(source);
+  const std::string bytes = read_input(InputKind::table, source);
   auto read = results::read_json_document(bytes, source.string(), export_format, results::schema_version);
   if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&read))
     throw BadInput(parameters::format(*errors));

@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/format_option.hpp"
+#include "cli/input_kind.hpp"
 #include "cli/recording_plot.hpp"
 #include "cli/recording_summary.hpp"
 #include "cli/study_argument.hpp"
@@ -69,7 +70,8 @@ int show(const RecordingArguments& arguments) {
   if (out.extension() != ".svg" && out.extension() != ".png")
     throw BadInput(fmt::format("--out {}: must end in .svg or .png", out.string()));
   const recordings::KnownGround ground = known_ground(arguments);
-  const auto read = recordings::read_recording(arguments.file, options);
+  const auto read =
+      recordings::parse_recording(read_input(InputKind::recording, arguments.file), arguments.file, options);
   if (const auto* errors = std::get_if<std::vector<recordings::RecordingError>>(&read))
     throw BadInput(recordings::format(*errors));
   const auto& recording = std::get<Recording>(read);

@@ -11,8 +11,9 @@ using namespace diagnosis;
 
 namespace {
 
-recordings::Recording read_recording(const SoundingRequest& sounding) {
-  auto read = recordings::read_recording(sounding.recording, sounding.options);
+recordings::Recording recording_of(const SoundingRequest& sounding) {
+  auto read = recordings::parse_recording(read_input(InputKind::recording, sounding.recording),
+                                          sounding.recording, sounding.options);
   if (const auto* errors = std::get_if<std::vector<recordings::RecordingError>>(&read))
     throw BadInput(recordings::format(*errors));
   return std::get<recordings::Recording>(std::move(read));
@@ -58,7 +59,7 @@ std::vector<SoundingData> soundings_of(const RequestFile& asked) {
     soundings.push_back({sounding,
                          sounding_study(asked.study, sounding, asked.request.mechanisms,
                                         asked.request.repeats, asked.request.joint),
-                         read_recording(sounding),
+                         recording_of(sounding),
                          {}});
     try {
       check_recording(sounding, soundings.back().recording, asked.request.cell_height);

@@ -30,7 +30,7 @@ struct RevealArguments {
 std::string file_text(const std::filesystem::path& file) {
   std::error_code why;
   std::optional<std::string> text = results::bytes_of(file, why);
-  if (!text) throw BadInput(fmt::format("cannot read {} ({})", file.string(), why.message()));
+  if (!text) throw BadInput(fmt::format("cannot read {} ({})", file.string(), results::cause_of(file, why)));
   return *std::move(text);
 }
 

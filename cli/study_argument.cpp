@@ -11,8 +11,10 @@
 namespace cpt::cli {
 namespace {
 
-// Whatever it is called.
+// Whatever it is called. A pipe is read once, by who wants it.
 bool starts_as_database(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
   std::string start(16, '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(start.data(), static_cast<std::streamsize>(start.size()));

@@ -33,6 +33,11 @@ constexpr std::array void_words = {"", "nan", "na", "n/a", "#n/a", "<na>", "null
 constexpr const char* known_quantities =
     "depth_m, length_m, q_c_MPa, f_s_kPa, u_2_kPa, inclination_deg, speed_mm_per_s, time_s";
 
+/// How the user says which column is what.
+std::string entry_for(std::string_view quantity) {
+  return fmt::format("--column {0}=NAME, or in a request columns = {{ {0} = \"NAME\" }}", quantity);
+}
+
 struct Meaning {
   const CsvQuantity* quantity;
   double scale;
@@ -132,11 +137,11 @@ class CsvReader {
     };
     const std::string hint = "columns of the file: " + std::string(trimmed(line.text)).substr(0, 200);
     if (!has(&Reading::q_c))
-      problems_.add(line.number, 1, "no column for q_c" + strange_unit("q_c_", names),
-                    "a map entry such as q_c_MPa=NAME", hint);
+      problems_.add(line.number, 1, "no column for q_c" + strange_unit("q_c_", names), entry_for("q_c_MPa"),
+                    hint);
     if (!has(&Reading::depth) && !has(&Reading::length))
       problems_.add(line.number, 1, "no column for the depth" + strange_unit("depth_", names),
-                    "a map entry such as depth_m=NAME", hint);
+                    entry_for("depth_m"), hint);
     if (!problems_.any()) hear_decimal_mark(lines);
   }
 
@@ -170,7 +175,9 @@ class CsvReader {
     });
     if (taken && !asked) return;  // the map comes before the file's own names
     if (taken)
-      return problems_.add(0, 0, in_quotes(std::string(meaning->quantity->name)) + " twice in the column map",
+      return problems_.add(0, 0,
+                           in_quotes(std::string(meaning->quantity->name)) +
+                               " twice among --column, or in columns of a request",
                            "each quantity once");
     std::vector<std::size_t> at;
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -189,7 +196,8 @@ class CsvReader {
                        [&](const TakenColumn& taken) { return taken.column == i; }))
         left += (left.empty() ? "" : ", ") + (names[i].text.empty() ? "one without a name" : names[i].text);
     if (!left.empty())
-      recording_.remarks.push_back({{}, "columns: " + left, "not read", "the column map does not name them"});
+      recording_.remarks.push_back(
+          {{}, "columns: " + left, "not read", "neither their names nor --column say what they are"});
   }
 
   void read_row(const Line& line) {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "recordings/ags4.hpp"
 #include "recordings/csv.hpp"
@@ -15,8 +13,6 @@
 
 namespace cpt::recordings {
 namespace {
-
-constexpr std::uintmax_t largest_file = 256U << 20U;  // [bytes] a sounding has some hundred thousand
 
 struct Reader {
   Format format;
@@ -113,27 +109,15 @@ RecordingOrErrors parse_recording(std::string_view bytes, const std::filesystem:
   remark_on_text(content, recording);
   const Reader* reader = find_reader(lines, file, options, recording);
   if (reader == nullptr)
-    return refused(file, "a file of unknown format", "GEF-CPT, AGS4, Geotech .cpt or CSV",
-                   "name a table of columns NAME.csv and say which column is what");
+    return refused(
+        file, "a file of unknown format", "GEF-CPT, AGS4, Geotech .cpt or CSV",
+        "name a table of columns NAME.csv and say which column is what with --column QUANTITY=NAME");
   recording.format = reader->format;
   Problems problems(file.string());
   reader->read(lines, options, recording, problems);
   if (!problems.any()) settle(recording, problems);
   if (problems.any()) return problems.errors();
   return recording;
-}
-
-RecordingOrErrors read_recording(const std::filesystem::path& file, const ReadOptions& options) {
-  std::error_code error;
-  const auto size = std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error)
-                                                                  : std::uintmax_t{0};
-  std::ifstream stream;
-  if (!error && std::filesystem::is_regular_file(file, error)) stream.open(file, std::ios::binary);
-  if (!stream.is_open()) return refused(file, "no file that can be read", "a recording");
-  if (size > largest_file)
-    return refused(file, fmt::format("{} MiB", size >> 20U), "a file of at most 256 MiB");
-  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-  return parse_recording(bytes, file, options);
 }
 
 }  // namespace cpt::recordings

@@ -30,10 +30,8 @@ struct ReadOptions {
 /// The sounding, or everything that is wrong with the file (never empty).
 using RecordingOrErrors = std::variant<Recording, std::vector<RecordingError>>;
 
-/// Never throws for what the file says.
-[[nodiscard]] RecordingOrErrors read_recording(const std::filesystem::path& file,
-                                               const ReadOptions& options = {});
-/// The same from the file's bytes; `file` names it in messages and its ending helps to find the format.
+/// From a file's bytes; `file` names it in messages and its ending helps to find the format. Never throws for
+/// what the bytes say.
 [[nodiscard]] RecordingOrErrors parse_recording(std::string_view bytes, const std::filesystem::path& file,
                                                 const ReadOptions& options = {});
 

@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "results/file_bytes.hpp"
 #include "results/patience.hpp"
 #include "results/refusal.hpp"
 
@@ -243,9 +244,8 @@ Database::Database(const std::filesystem::path& file, Mode mode) : file_(file) {
   if (mode != Mode::read_write && !std::filesystem::exists(file, problem))
     throw Error(problem ? refusal(file, "cannot be opened", problem)
                         : fmt::format("{}: no such database; run the campaign first", file.string()));
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored))
-    throw Error(fmt::format("{}: is a folder, not a database", file.string()));
+  if (const auto other = not_a_file(file); !other.empty())
+    throw Error(fmt::format("{}: {}, not a database", file.string(), other));
   const int flags =
       mode == Mode::read_write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY;
   const int code = sqlite3_open_v2(file.c_str(), &connection_, flags | SQLITE_OPEN_EXRESCODE, nullptr);

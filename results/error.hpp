@@ -16,6 +16,11 @@ struct Damaged : Error {
   using Error::Error;
 };
 
+/// A signal ended the wait for a file.
+struct Interrupted : Error {
+  using Error::Error;
+};
+
 /// Another running campaign holds the database.
 struct Locked : Error {
   using Error::Error;

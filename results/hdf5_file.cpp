@@ -222,8 +222,9 @@ void write_hdf5(const std::filesystem::path& file, const std::function<void(cons
 
 void read_hdf5(const std::filesystem::path& file, const std::function<void(const Hdf5Group&)>& read) {
   const QuietErrors quiet;
+  if (const auto other = not_a_file(file); !other.empty()) throw Error(fmt::format("{}, not a file", other));
   std::error_code why;
-  std::optional<std::string> read_bytes = bytes_of(file, why);
+  std::optional<std::string> read_bytes = bytes_of(file, why, SIZE_MAX);
   if (!read_bytes) throw Error(fmt::format("cannot be read: {}", why.message()));
   std::string& bytes = *read_bytes;
   check_seal(bytes);

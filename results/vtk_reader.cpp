@@ -21,7 +21,7 @@ constexpr std::string_view before_bytes = "<AppendedData encoding=\"raw\">\n_";
 std::string text_of(const std::filesystem::path& file) {
   std::error_code why;
   std::optional<std::string> content;
-  if (std::filesystem::is_regular_file(file, why)) content = bytes_of(file, why);
+  if (std::filesystem::is_regular_file(file, why)) content = bytes_of(file, why, SIZE_MAX);
   if (!content)
     throw Error(fmt::format("{}: missing or not readable{}", file.string(),
                             why ? fmt::format(" ({})", why.message()) : ""));

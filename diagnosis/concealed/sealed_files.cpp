@@ -18,7 +18,9 @@ using Json = nlohmann::json;
 Json read_json(const std::filesystem::path& file) {
   std::error_code why;
   const std::optional<std::string> text = results::bytes_of(file, why);
-  if (!text) throw std::invalid_argument(fmt::format("cannot read {} ({})", file.string(), why.message()));
+  if (!text)
+    throw std::invalid_argument(
+        fmt::format("cannot read {} ({})", file.string(), results::cause_of(file, why)));
   Json json = Json::parse(*text, nullptr, false);
   if (json.is_discarded() || !json.is_object())
     throw std::invalid_argument(fmt::format("{} is not what `campaign conceal` wrote", file.string()));

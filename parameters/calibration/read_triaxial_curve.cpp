@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "parameters/written_number.hpp"
@@ -212,15 +210,6 @@ std::string format(const std::vector<CurveProblem>& problems) {
 
 CurveOrProblems parse_triaxial_curve(std::string_view text, const std::filesystem::path& file) {
   return CurveReader(file).read(text);
-}
-
-CurveOrProblems read_triaxial_curve(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::ifstream stream;
-  if (!std::filesystem::is_directory(file, ignored)) stream.open(file, std::ios::binary);
-  if (!stream.is_open()) return std::vector<CurveProblem>{{file.string(), 0, 0, "cannot be read"}};
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  return parse_triaxial_curve(text, file);
 }
 
 }  // namespace cpt::calibration

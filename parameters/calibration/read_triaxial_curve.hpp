@@ -35,9 +35,7 @@ struct CurveProblem {
 /// The curve, or everything that is wrong with the file.
 using CurveOrProblems = std::variant<TriaxialCurve, std::vector<CurveProblem>>;
 
-/// Never throws for what the file says.
-[[nodiscard]] CurveOrProblems read_triaxial_curve(const std::filesystem::path& file);
-/// The same from text; `file` names it in messages.
+/// From a file's text; `file` names it in messages. Never throws for what the text says.
 [[nodiscard]] CurveOrProblems parse_triaxial_curve(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace cpt::calibration

@@ -124,7 +124,8 @@ TEST_F(ExportImport, BadInputIsToldAndNothingIsWritten) {
   folder.write("twice.csv", "sand.H,sand.H\n30,1\n");
   folder.write("points.csv", "name,sand.H\na,30\na,31\n");
   folder.write("bad.json", "{\"format\": \"campaign export\",\n \"version\": 4,\n x}");
-  refused("none.csv", "new.sqlite", of_study, "there is no file");
+  refused("none.csv", "new.sqlite", of_study,
+          "none.csv: cannot be read as a table (No such file or directory)");
   refused("bad.csv", "new.sqlite", {}, "a table needs --study STUDY");
   refused("bad.csv", "new.sqlite", of_study, "bad.csv:1:1: error: sand.Hh: is neither");
   refused("bad.csv", "new.sqlite", of_study, "did you mean sand.H?");

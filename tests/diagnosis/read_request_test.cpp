@@ -8,6 +8,15 @@
 namespace cpt::diagnosis {
 namespace {
 
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+recordings::RecordingOrErrors recording_of(const SoundingRequest& sounding) {
+  return recordings::parse_recording(text_of(sounding.recording), sounding.recording, sounding.options);
+}
+
 TEST(ReadRequest, DefaultsAndWhatIsWritten) {
   const Request plain = request_of("study = \"sand.toml\"\n" + sounding);
   EXPECT_EQ(plain.name, "d");
@@ -132,16 +141,14 @@ TEST(ReadRequest, ErrorsSayWhereWhatAndWhatInstead) {
 // The request of examples/diagnosis asks for all mechanisms of sand, and its truth is one of them.
 TEST(ReadRequest, TheExampleIsSound) {
   const std::filesystem::path folder = CPT_EXAMPLES "/diagnosis";
-  std::ifstream stream(folder / "compacted.toml");
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::string text = text_of(folder / "compacted.toml");
   auto study = parameters::read_study(study_of_request(text, folder / "compacted.toml"));
   ASSERT_TRUE(std::holds_alternative<parameters::Study>(study));
   const auto parsed = parse_request(text, folder / "compacted.toml", std::get<parameters::Study>(study));
   ASSERT_TRUE(std::holds_alternative<Request>(parsed));
   const Request& request = std::get<Request>(parsed);
   EXPECT_GE(request.mechanisms.size(), 9U);
-  const auto recording =
-      recordings::read_recording(request.soundings[0].recording, request.soundings[0].options);
+  const auto recording = recording_of(request.soundings[0]);
   ASSERT_TRUE(std::holds_alternative<recordings::Recording>(recording));
   EXPECT_GT(std::get<recordings::Recording>(recording).readings.size(), 500U);
   EXPECT_TRUE(
@@ -150,8 +157,7 @@ TEST(ReadRequest, TheExampleIsSound) {
 
 TEST(ReadRequest, TheExampleWithTwoSoundingsIsSound) {
   const std::filesystem::path file = CPT_EXAMPLES "/diagnosis/compacted_two.toml";
-  std::ifstream stream(file);
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::string text = text_of(file);
   auto study = parameters::read_study(study_of_request(text, file));
   ASSERT_TRUE(std::holds_alternative<parameters::Study>(study));
   const auto parsed = parse_request(text, file, std::get<parameters::Study>(study));
@@ -160,7 +166,7 @@ TEST(ReadRequest, TheExampleWithTwoSoundingsIsSound) {
   ASSERT_EQ(request.soundings.size(), 2U);
   EXPECT_EQ(request.soundings[1].changes.size(), 2U);
   for (const SoundingRequest& sounding : request.soundings) {
-    const auto recording = recordings::read_recording(sounding.recording, sounding.options);
+    const auto recording = recording_of(sounding);
     ASSERT_TRUE(std::holds_alternative<recordings::Recording>(recording));
     EXPECT_GT(std::get<recordings::Recording>(recording).readings.size(), 500U);
   }

@@ -13,10 +13,14 @@
 
 namespace cpt::recordings {
 
-inline std::string corpus(const std::string& name) {
-  std::ifstream stream(std::filesystem::path(RECORDINGS_CORPUS) / name, std::ios::binary);
-  EXPECT_TRUE(stream.is_open()) << name;
+inline std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  EXPECT_TRUE(stream.is_open()) << file;
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline std::string corpus(const std::string& name) {
+  return bytes_of(std::filesystem::path(RECORDINGS_CORPUS) / name);
 }
 
 /// The options that corpus/chamber.csv needs.

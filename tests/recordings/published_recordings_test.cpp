@@ -25,7 +25,7 @@ class PublishedRecording : public testing::Test {
     if (folder == nullptr) GTEST_SKIP() << "CPT_RECORDINGS does not name a folder of recordings";
     const std::filesystem::path file = std::filesystem::path(folder) / name;
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "CPT_RECORDINGS has no " << name;
-    const RecordingOrErrors result = read_recording(file, options);
+    const RecordingOrErrors result = parse_recording(bytes_of(file), file, options);
     ASSERT_EQ(result.index(), 0U) << format(std::get<1>(result));
     r = std::get<Recording>(result);
     ASSERT_EQ(static_cast<std::size_t>(r.rows_read), r.readings.size()) << "nothing to set aside";
@@ -97,8 +97,8 @@ TEST_F(PublishedRecording, GefInclinedBySeventeenDegrees) {
   EXPECT_NEAR(of(&Reading::inclination).max, 16.96 * std::numbers::pi / 180.0, 1e-9);
   EXPECT_EQ(remark(r, "f_s is void").lines.rows, 5);
   // Had the file no corrected depth, ours would come to within 5 mm of it.
-  std::ifstream stream(std::filesystem::path(std::getenv("CPT_RECORDINGS")) / "pygef_cpt_class_high.gef");
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::string text =
+      bytes_of(std::filesystem::path(std::getenv("CPT_RECORDINGS")) / "pygef_cpt_class_high.gef");
   const Recording own = recording(with(text, "diepte, 11", "diepte, 999"), "own.gef");
   EXPECT_EQ(own.depth_rule, DepthRule::from_inclination);
   for (std::size_t i = 0; i < own.readings.size(); ++i)

@@ -108,11 +108,5 @@ TEST(ReadTriaxialCurve, AllProblemsAreToldAtOnce) {
             "lab/dense.csv:2:3: q_kPa: 'x' is not a number\nlab/dense.csv:3:3: q_kPa: 'y' is not a number");
 }
 
-TEST(ReadTriaxialCurve, AFileThatIsNotThere) {
-  const CurveOrProblems read = read_triaxial_curve("/nowhere/x.csv");
-  ASSERT_TRUE(std::holds_alternative<std::vector<CurveProblem>>(read));
-  EXPECT_EQ(format(std::get<std::vector<CurveProblem>>(read)), "/nowhere/x.csv: cannot be read");
-}
-
 }  // namespace
 }  // namespace cpt::calibration
