@@ -99,8 +99,8 @@ std::string range_hint(const Window& window, double start, double end) {
   const double from = std::ceil((start + margin) * 1e4 - 1e-6) / 1e4, to = end - margin;
   if (!(from < to)) return "";
   const std::string_view which = fixed ? "from_m and to_m" : "between_m, with half of width_m to spare,";
-  return std::isinf(to) ? fmt::format("{} may lie from {:.4f} m on", which, from)
-                        : fmt::format("{} may lie from {:.4f} to {:.6g} m", which, from, to);
+  return std::isinf(to) ? fmt::format("{} may lie from {:.6g} m on", which, from)
+                        : fmt::format("{} may lie from {:.6g} to {:.6g} m", which, from, to);
 }
 
 void check_windows(const Study& study, const QuantitySections& sections, const StudyPlaces& places,
