@@ -83,8 +83,8 @@ void run(benchmark::State& state, Points& batch, const Law& law) {
                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-Sand sand_without_cap() {
-  Sand sand;
+NorSandParameters sand_without_cap() {
+  NorSandParameters sand;
   sand.cap_ratio = 10.0;
   return sand;
 }
@@ -98,7 +98,7 @@ void norsand_elastic(benchmark::State& state) {
 BENCHMARK(norsand_elastic);
 
 void norsand_plastic(benchmark::State& state) {
-  const NorSand law{Sand{}};
+  const NorSand law{NorSandParameters{}};
   const double strain = 1e-7 * static_cast<double>(state.range(0));
   Points batch;
   fill(batch, law, [&](std::size_t) { return Kind{1.0, strain}; });
@@ -118,9 +118,11 @@ void norsand_mixed(benchmark::State& state) {
 BENCHMARK(norsand_mixed);
 
 void tresca(benchmark::State& state) {
-  const Tresca law{Clay{}};
+  const Tresca law{TrescaParameters{}};
   Points batch;
-  fill(batch, NorSand{Sand{}}, [](std::size_t k) { return Kind{1.0, k % 2 == 0 ? 1e-6 : 1e-2}; });
+  fill(batch, NorSand{NorSandParameters{}}, [](std::size_t k) {
+    return Kind{1.0, k % 2 == 0 ? 1e-6 : 1e-2};
+  });
   run(state, batch, law);
 }
 BENCHMARK(tresca);
@@ -128,7 +130,7 @@ BENCHMARK(tresca);
 void linear_elastic(benchmark::State& state) {
   const LinearElastic law(1e6, 0.3);
   Points batch;
-  fill(batch, NorSand{Sand{}}, [](std::size_t) { return Kind{1.0, 1e-6}; });
+  fill(batch, NorSand{NorSandParameters{}}, [](std::size_t) { return Kind{1.0, 1e-6}; });
   run(state, batch, law);
 }
 BENCHMARK(linear_elastic);

@@ -31,7 +31,7 @@ class Census : public Observer {
  public:
   double next_look() const override { return slots > 0.0 ? std::numeric_limits<double>::infinity() : 0.0; }
   void look(double, const MaterialPoints& points) override {
-    cells = points.bucket_count() / material_count;
+    cells = points.bucket_count() / points.materials();
     for (std::int32_t b = 0; b < points.bucket_count(); ++b)
       slots += static_cast<double>(points.bucket(b).padded());
   }

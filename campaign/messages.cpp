@@ -1,8 +1,10 @@
 #include "campaign/messages.hpp"
 
 #include <concepts>
+#include <sstream>
 
 #include "solver/quantities.hpp"
+#include "solver/soils/law.hpp"
 
 namespace cpt::campaign {
 namespace {
@@ -42,13 +44,17 @@ void exchange(Archive&, MaybeConst<Leaving> auto&) {}
 template <class Archive>
 void exchange(Archive&, MaybeConst<Dismissed> auto&) {}
 
-// A setup travels as the values of all quantities, its layers and its point zones, so that a new quantity
-// needs no line here; its canonical text travels too and shows that nothing was left out.
+// A setup travels as its soils with their laws, the values of all quantities, its layers and its point zones,
+// so that a new quantity needs no line here; its canonical text travels too and shows that nothing was left
+// out.
 void exchange(ByteWriter& archive, const Order& order) {
   std::vector<double> values;
-  for (const solver::Quantity& quantity : solver::all_quantities())
-    values.push_back(quantity.get(order.setup));
-  archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, values,
+  std::string soils;  // "sand norsand clay tresca"
+  for (const solver::Soil& soil : order.setup.soils)
+    soils += soil.name + ' ' + std::string(solver::law_of(soil).name()) + ' ';
+  for (const solver::Quantity* quantity : solver::quantities_of(order.setup))
+    values.push_back(quantity->get(order.setup));
+  archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, soils, values,
           order.setup.layers, order.setup.numerics.zones, solver::canonical_text(order.setup),
           order.checkpoint, order.checkpoint_seconds);
 }
@@ -57,12 +63,20 @@ void exchange(ByteReader& archive, Order& order) {
   std::vector<double> values;
   std::vector<solver::Layer> layers;
   std::vector<solver::PointZone> zones;
-  std::string text;
-  archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, values,
+  std::string soils, text;
+  archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, soils, values,
           layers, zones, text, order.checkpoint, order.checkpoint_seconds);
-  const auto quantities = solver::all_quantities();
+  order.setup.soils.clear();
+  std::istringstream words(soils);
+  for (std::string name, law; words >> name >> law;) {
+    if (solver::find_law(law) == nullptr) throw MalformedMessage("order with an unknown law");
+    order.setup.soils.push_back({name, solver::find_law(law)->defaults()});
+  }
+  const auto quantities = solver::quantities_of(order.setup);
   if (values.size() != quantities.size()) throw MalformedMessage("order of another program version");
-  for (std::size_t i = 0; i < values.size(); ++i) quantities[i].set(order.setup, values[i]);
+  for (std::size_t i = 0; i < values.size(); ++i) quantities[i]->set(order.setup, values[i]);
+  for (const solver::Layer& layer : layers)
+    if (layer.soil >= order.setup.soils.size()) throw MalformedMessage("order with a layer of no soil");
   order.setup.layers = std::move(layers);
   order.setup.numerics.zones = std::move(zones);
   if (solver::canonical_text(order.setup) != text)

@@ -103,7 +103,8 @@ int calibrate(const CalibrateArguments& arguments) {
   const auto curves = read_curves(arguments);
   std::vector<calibration::HardeningFit> fits;
   for (const calibration::TriaxialCurve& curve : curves)
-    fits.push_back(calibration::fit_hardening(curve, setup.sand, arguments.options));
+    fits.push_back(calibration::fit_hardening(
+        curve, solver::as<solver::NorSandParameters>(setup.soils[solver::default_sand]), arguments.options));
 
   const results::Table table = fit_table(curves, fits);
   fmt::print("{}", results::format(table, results::Format::table));

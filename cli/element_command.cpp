@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -14,13 +15,15 @@
 #include "results/table_format.hpp"
 #include "solver/constitutive/element_test.hpp"
 #include "solver/presets.hpp"
+#include "solver/quantities.hpp"
+#include "solver/soils/law.hpp"
 
 namespace cpt::cli {
 namespace {
 
 struct ElementArguments {
   solver::ElementPath path = solver::ElementPath::triaxial;
-  bool clay = false;
+  std::string material = "sand";
   bool drained = true;
   std::vector<std::string> settings;       // name=value
   std::optional<double> e_0, D_r_percent;  // initial density
@@ -42,38 +45,47 @@ void choose_stress(const ElementArguments& arguments, solver::ElementTest& test)
 }
 
 solver::ElementTest make_test(const ElementArguments& arguments) {
-  const auto profile = arguments.clay ? solver::Profile::homogeneous_clay : solver::Profile::homogeneous_sand;
-  solver::Setup setup = solver::make_setup(profile, solver::Preset::standard);
-  if (arguments.D_r_percent && (arguments.clay || arguments.e_0))
+  solver::Setup setup = solver::make_setup(solver::Profile::homogeneous_sand, solver::Preset::standard);
+  if (const solver::Law* law = solver::find_law(arguments.material))
+    setup.soils = {{arguments.material, law->defaults()}};
+  const solver::Soil& soil = *std::ranges::find(setup.soils, arguments.material, &solver::Soil::name);
+  const std::string group = soil.name + ".";
+  if (arguments.D_r_percent && (arguments.e_0 || !solver::find_quantity(group + "D_r_percent", setup)))
     throw BadInput("--D_r_percent is for sand, and in place of --e0");
   std::vector<std::string> settings = arguments.settings;
-  if (arguments.D_r_percent) settings.push_back(fmt::format("sand.D_r_percent={}", *arguments.D_r_percent));
-  for (const std::string& setting : settings)
-    set_quantity(setup, setting, arguments.clay ? "clay." : "sand.");
+  if (arguments.D_r_percent)
+    settings.push_back(fmt::format("{}D_r_percent={}", group, *arguments.D_r_percent));
+  for (const std::string& setting : settings) set_quantity(setup, setting, group);
 
   solver::ElementTest test;
   test.path = arguments.path;
   test.drained = arguments.drained;
-  if (arguments.clay)
-    test.material = setup.clay;
-  else
-    test.material = setup.sand;
+  test.material = soil.parameters;
   choose_stress(arguments, test);
   if (arguments.e_0) test.e_0 = *arguments.e_0;
-  if (arguments.p_i_kPa) test.p_i = *arguments.p_i_kPa * kPa;
+  if (arguments.p_i_kPa) test.h_0 = *arguments.p_i_kPa * kPa;
   if (arguments.max_sigma_v_kPa) test.max_axial_stress = *arguments.max_sigma_v_kPa * kPa;
   test.max_axial_strain = arguments.strain_percent * 0.01;
   test.steps = arguments.steps;
   return test;
 }
 
-// Every `stride`-th row, and the last.
-results::Table path_table(const std::vector<solver::ElementRow>& rows, std::size_t stride) {
-  results::Table table{{"eps_a", "eps_v", "q_kPa", "p_kPa", "e", "psi", "p_i_kPa"}, {}};
+// Every `stride`-th row, and the last; with the state variables that the law keeps.
+results::Table path_table(const solver::Law& law, const std::vector<solver::ElementRow>& rows,
+                          std::size_t stride) {
+  results::Table table{{"eps_a", "eps_v", "q_kPa", "p_kPa", "e", "psi"}, {}};
+  std::vector<double> scales;
+  for (const solver::StateVariable& variable : law.state({})) {
+    const bool pressure = variable.unit == "Pa";
+    table.columns.push_back(std::string(variable.name) + (pressure ? "_kPa" : ""));
+    scales.push_back(pressure ? kPa : 1.0);
+  }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i % stride != 0 && i + 1 != rows.size()) continue;
     const solver::ElementRow& row = rows[i];
-    const double values[] = {row.eps_a, row.eps_v, row.q / kPa, row.p / kPa, row.e, row.psi, row.p_i / kPa};
+    std::vector<double> values = {row.eps_a, row.eps_v, row.q / kPa, row.p / kPa, row.e, row.psi};
+    for (std::size_t k = 0; k < scales.size(); ++k)
+      values.push_back((k == 0 ? row.h_0 : row.h_1) / scales[k]);
     std::vector<results::Cell>& cells = table.rows.emplace_back(table.columns.size());
     for (std::size_t j = 0; j < cells.size(); ++j)
       if (!std::isnan(values[j])) cells[j] = values[j];
@@ -82,13 +94,15 @@ results::Table path_table(const std::vector<solver::ElementRow>& rows, std::size
 }
 
 int element(const ElementArguments& arguments) {
-  const solver::ElementResult result = solver::run_element_test(make_test(arguments));
+  const solver::ElementTest test = make_test(arguments);
+  const solver::ElementResult result = solver::run_element_test(test);
+  const solver::Law& law = solver::law_of(std::get<solver::LawParameters>(test.material));
   if (!arguments.csv.empty() && !result.rows.empty()) {
-    results::write_csv(arguments.csv, path_table(result.rows, 1));
+    results::write_csv(arguments.csv, path_table(law, result.rows, 1));
     fmt::print("{} rows: {}\n", result.rows.size(), arguments.csv.string());
   } else if (!result.rows.empty()) {
     const std::size_t stride = std::max<std::size_t>(1, (result.rows.size() - 1) / 25);
-    fmt::print("{}", results::format(path_table(result.rows, stride), results::Format::table));
+    fmt::print("{}", results::format(path_table(law, result.rows, stride), results::Format::table));
   }
   if (result.problem.empty()) return all_well;
   throw BadInput(fmt::format("the test did not run to its end: {}", result.problem));
@@ -102,11 +116,12 @@ void add_path(CLI::App& command, const char* name, const char* meaning, solver::
   const auto number = [sub](const char* option, auto& value, const char* what) {
     return sub->add_option(option, value, what)->type_name("X");
   };
-  sub->add_option_function<std::string>(
-         "--material", [arguments](const std::string& material) { arguments->clay = material == "clay"; },
-         "sand (NorSand) [default] or clay (Tresca)")
+  std::vector<std::string> materials = {"sand", "clay"};
+  for (const solver::Law* law : solver::all_laws()) materials.emplace_back(law->name());
+  sub->add_option("--material", arguments->material,
+                  "sand (NorSand) [default], clay (Tresca), or a law, whose parameters are then LAW.NAME")
       ->type_name("SOIL")
-      ->check(CLI::IsMember({"sand", "clay"}).description(""));
+      ->check(CLI::IsMember(materials).description(""));
   if (path == solver::ElementPath::triaxial) {
     const auto drained = [&](const char* flag, bool is_drained, const char* what) {
       const auto choose = [arguments, is_drained](std::int64_t) { arguments->drained = is_drained; };
@@ -135,7 +150,8 @@ void add_path(CLI::App& command, const char* name, const char* meaning, solver::
       ->type_name("FILE");
   sub->footer(
       "Columns: axial and volumetric strain (natural, compression positive), q, p, void ratio,\n"
-      "state parameter psi and image pressure p_i (sand).");
+      "state parameter psi where the law has a critical state line, and what else the law keeps:\n"
+      "of NorSand the image pressure p_i.");
   sub->callback([arguments, &action] { action = [arguments] { return element(*arguments); }; });
 }
 

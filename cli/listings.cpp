@@ -10,6 +10,7 @@
 #include "solver/presets.hpp"
 #include "solver/quantities.hpp"
 #include "solver/simulate.hpp"
+#include "solver/soils/law.hpp"
 
 namespace cpt::cli {
 namespace {
@@ -35,6 +36,39 @@ Table quantities(bool all) {
     if (!all) continue;
     row.emplace_back(std::string(quantity.symbol));
     row.emplace_back(std::string(quantity.source));
+  }
+  return table;
+}
+
+std::string range(const solver::LawQuantity& quantity) {
+  if (quantity.choices.empty()) return fmt::format("{} to {}", quantity.min, quantity.max);
+  return fmt::format("{}", fmt::join(quantity.choices, ", "));
+}
+
+// Of each law what it says of itself, then its parameters, whose full name is that of a soil, a dot and the
+// name here.
+Table laws(bool all) {
+  Table table{{"law", "parameter", "unit", "range", "default", "meaning"}, {}};
+  if (all) table.columns.emplace_back("source");
+  for (const solver::Law* law : solver::all_laws()) {
+    auto& head = table.rows.emplace_back();
+    for (const std::string_view text :
+         {law->name(), std::string_view(), std::string_view(), std::string_view(), std::string_view()})
+      head.emplace_back(std::string(text));
+    head.emplace_back(fmt::format("{}: {}. {}", law->title(), law->models(), law->departs()));
+    if (all) head.emplace_back(std::string(law->source()));
+    solver::Setup setup;
+    setup.soils = {{"soil", law->defaults()}};
+    for (const solver::LawQuantity& parameter : law->quantities()) {
+      const solver::Quantity& quantity =
+          *solver::find_quantity(fmt::format("soil.{}", parameter.name), setup);
+      auto& row = table.rows.emplace_back();
+      for (const std::string& text :
+           {std::string(law->name()), std::string(parameter.name), std::string(parameter.unit),
+            range(parameter), quantity.format(quantity.value(setup)), std::string(parameter.meaning)})
+        row.emplace_back(text);
+      if (all) row.emplace_back(std::string(parameter.source));
+    }
   }
   return table;
 }
@@ -66,9 +100,10 @@ Table profiles(bool) {
   Table table{{"profile", "layers"}, {}};
   for (const solver::Profile profile : solver::all_profiles()) {
     std::string layers;
-    for (const solver::Layer& layer : solver::make_setup(profile, solver::Preset::standard).layers)
-      layers += fmt::format("{}{} {} to {} m", layers.empty() ? "" : ", ",
-                            layer.soil == solver::Soil::sand ? "sand" : "clay", layer.top, layer.bottom);
+    const solver::Setup setup = solver::make_setup(profile, solver::Preset::standard);
+    for (const solver::Layer& layer : setup.layers)
+      layers += fmt::format("{}{} {} to {} m", layers.empty() ? "" : ", ", setup.soils[layer.soil].name,
+                            layer.top, layer.bottom);
     table.rows.push_back({std::string(to_string(profile)), layers});
   }
   return table;
@@ -226,6 +261,7 @@ constexpr Listing all_listings[] = {
     {"study-keys", "Keys of a study", "the keys of a study file", study_keys},
     {"quantities", "Quantities",
      "everything a study can set or vary; defaults of homogeneous_sand at standard", quantities},
+    {"laws", "Constitutive laws", "what a soil of [soils] may be, and the parameters it then has", laws},
     {"profiles", "Profiles", "soil profiles a study can start from", profiles},
     {"presets", "Presets", "resolutions of the model", presets},
     {"request-keys", "Keys of a request", "the keys of a request for a diagnosis", request_keys},

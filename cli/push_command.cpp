@@ -95,7 +95,8 @@ int run_push(const PushArguments& arguments) {
       push.folder / (push.name + "-fields"), push.name,
       fmt::format("campaign {} (solver {}), study {}, realization {}, settings {}",
                   results::program_version(), solver::solver_version(), push.study.name, push.realization.id,
-                  results::settings_hash(push.setup)));
+                  results::settings_hash(push.setup)),
+      results::point_quantities(push.setup));
   Watch watch(push.request, push.setup, fields);
   const int threads = arguments.threads > 0 ? arguments.threads : campaign::use_allowed_cores(false);
   const solver::Outcome outcome =

@@ -43,9 +43,9 @@ void set_quantity(solver::Setup& setup, std::string_view setting, std::string_vi
   const auto equals = setting.find('=');
   if (equals == std::string_view::npos) throw BadInput(fmt::format("--set {}: must be NAME=VALUE", setting));
   const std::string_view name = setting.substr(0, equals);
-  const solver::Quantity* quantity = solver::find_quantity(name);
+  const solver::Quantity* quantity = solver::find_quantity(name, setup);
   if (quantity == nullptr) {
-    const std::string_view near = solver::nearest_quantity(name);
+    const std::string_view near = solver::nearest_quantity(name, setup);
     throw BadInput(fmt::format("--set {}: there is no quantity {}{}", setting, name,
                                near.empty() ? "" : fmt::format("; did you mean {}?", near)));
   }

@@ -33,6 +33,8 @@ void report_baseline(const solver::Problem& problem, const QuantitySections& sec
                      const StudyPlaces& places, ErrorList& errors) {
   if (problem.quantity == "layers" && places.layers.line > 0)
     return errors.add(places.layers, "layers", problem.message);
+  if (problem.quantity == "soils" && places.soils.line > 0)
+    return errors.add(places.soils, "soils", problem.message);
   if (problem.quantity == "numerics.zones" && places.zones.line > 0)
     return errors.add(places.zones, "zones", problem.message);
   if (const Setting* setting = culprit(problem, sections))

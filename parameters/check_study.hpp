@@ -13,6 +13,7 @@ namespace cpt::parameters {
 struct StudyPlaces {
   Place profile;
   Place layers;
+  Place soils;
   Place zones;
   std::vector<Place> points;   ///< one a point of the study
   std::vector<Place> windows;  ///< one a window of the study

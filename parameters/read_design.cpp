@@ -30,8 +30,9 @@ const std::array<Number, 5> number_keys = {{{"runs", {Kind::latin_hypercube, Kin
 
 class DesignReader {
  public:
-  DesignReader(const Value& table, const std::vector<Row>& rows, ErrorList& errors)
-      : table_(table), rows_(rows), rows_sound_(errors.empty()), errors_(errors) {}
+  DesignReader(const Value& table, const std::vector<Row>& rows, const solver::Setup& setup,
+               ErrorList& errors)
+      : table_(table), rows_(rows), setup_(setup), rows_sound_(errors.empty()), errors_(errors) {}
 
   Design read() {
     bool sound = refuse_unknown_keys(table_, "design", known_names(study_keys(), "design"), errors_);
@@ -98,7 +99,7 @@ class DesignReader {
     const auto index = static_cast<std::size_t>(row - rows_.begin());
     if (row == rows_.end()) {
       // A row with an error of its own is not among the rows.
-      if (rows_sound_ || solver::find_quantity(name.text) == nullptr) {
+      if (rows_sound_ || solver::find_quantity(name.text, setup_) == nullptr) {
         std::vector<std::string_view> names;
         for (const Row& r : rows_) names.push_back(r.quantity->name);
         const std::string_view near = solver::nearest_name(name.text, names);
@@ -175,6 +176,7 @@ class DesignReader {
 
   const Value& table_;
   const std::vector<Row>& rows_;
+  const solver::Setup& setup_;
   bool rows_sound_;
   ErrorList& errors_;
   Design design_;
@@ -182,9 +184,10 @@ class DesignReader {
 
 }  // namespace
 
-Design read_design(const Value& root, const std::vector<Row>& rows, ErrorList& errors) {
+Design read_design(const Value& root, const std::vector<Row>& rows, const solver::Setup& setup,
+                   ErrorList& errors) {
   const Value* table = section(root, "design", errors);
-  return table == nullptr ? Design() : DesignReader(*table, rows, errors).read();
+  return table == nullptr ? Design() : DesignReader(*table, rows, setup, errors).read();
 }
 
 }  // namespace cpt::parameters

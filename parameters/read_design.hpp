@@ -8,6 +8,8 @@
 namespace cpt::parameters {
 
 /// Reads the section; one_at_a_time without it and after an error. Its points are not made yet.
-[[nodiscard]] Design read_design(const Value& root, const std::vector<Row>& rows, ErrorList& errors);
+/// `setup` has the soils of the study.
+[[nodiscard]] Design read_design(const Value& root, const std::vector<Row>& rows, const solver::Setup& setup,
+                                 ErrorList& errors);
 
 }  // namespace cpt::parameters

@@ -84,18 +84,17 @@ struct Named {
   std::string key;  // with the section
 };
 
-bool is_group(std::string_view name) {
-  const auto list = solver::all_quantities();
-  return std::any_of(list.begin(), list.end(), [&](const Quantity& quantity) {
-    return quantity.name.size() > name.size() && quantity.name.starts_with(name) &&
-           quantity.name[name.size()] == '.';
+bool is_group(std::string_view name, const solver::Setup& setup) {
+  return std::ranges::any_of(solver::quantities_of(setup), [&](const Quantity* quantity) {
+    return quantity->name.size() > name.size() && quantity->name.starts_with(name) &&
+           quantity->name[name.size()] == '.';
   });
 }
 
 void refuse_unknown_quantity(std::string_view section_name, const std::string& name, Place place,
-                             ErrorList& errors) {
-  const std::string_view near = solver::nearest_quantity(name);
-  if (is_group(name))
+                             const solver::Setup& setup, ErrorList& errors) {
+  const std::string_view near = solver::nearest_quantity(name, setup);
+  if (is_group(name, setup))
     return errors.add(place, joined(section_name, name), "is a group of quantities",
                       fmt::format("name one of them: {}.NAME", name));
   std::string hint = "`campaign list quantities` prints all of them";
@@ -108,24 +107,26 @@ void refuse_unknown_quantity(std::string_view section_name, const std::string& n
 
 // Quantities of a section in file order; groups may be spelt as nested tables.
 void collect(const Value& table, std::string_view section_name, const std::string& prefix,
-             std::span<const std::string_view> except, std::vector<Named>& found, ErrorList& errors) {
+             std::span<const std::string_view> except, const solver::Setup& setup, std::vector<Named>& found,
+             ErrorList& errors) {
   for (const Member& member : table.members) {
     const std::string name = joined(prefix, member.key);
     if (std::find(except.begin(), except.end(), name) != except.end()) continue;
-    const Quantity* quantity = solver::find_quantity(name);
+    const Quantity* quantity = solver::find_quantity(name, setup);
     if (quantity != nullptr)
       found.push_back({quantity, &member, joined(section_name, name)});
-    else if (member.value.kind == Value::Kind::table && is_group(name))
-      collect(member.value, section_name, name, except, found, errors);
+    else if (member.value.kind == Value::Kind::table && is_group(name, setup))
+      collect(member.value, section_name, name, except, setup, found, errors);
     else
-      refuse_unknown_quantity(section_name, name, member.place, errors);
+      refuse_unknown_quantity(section_name, name, member.place, setup, errors);
   }
 }
 
 std::vector<Named> named_quantities(const Value& table, std::string_view section_name,
-                                    std::span<const std::string_view> except, ErrorList& errors) {
+                                    std::span<const std::string_view> except, const solver::Setup& setup,
+                                    ErrorList& errors) {
   std::vector<Named> found;
-  collect(table, section_name, "", except, found, errors);
+  collect(table, section_name, "", except, setup, found, errors);
   std::stable_sort(found.begin(), found.end(),
                    [](const Named& a, const Named& b) { return a.member->place < b.member->place; });
   return found;
@@ -139,14 +140,14 @@ class QuantitiesReader {
   QuantitySections read(const Value& root) {
     if (const Value* table = section(root, "fixed", errors_)) read_settings(*table, "fixed", {});
     if (const Value* table = section(root, "parameters", errors_))
-      for (const Named& named : named_quantities(*table, "parameters", {}, errors_))
+      for (const Named& named : named_quantities(*table, "parameters", {}, setup_, errors_))
         if (acceptable(named)) read_row(named);
     return std::move(sections_);
   }
 
   std::vector<Setting> read_settings(const Value& table, std::string_view section_name,
                                      std::span<const std::string_view> except) {
-    for (const Named& named : named_quantities(table, section_name, except, errors_))
+    for (const Named& named : named_quantities(table, section_name, except, setup_, errors_))
       if (acceptable(named)) read_fixed(named);
     return sections_.settings;
   }
@@ -161,11 +162,12 @@ class QuantitiesReader {
                   fmt::format("is already given as {} in line {}", key, place.line), "keep one of the two");
       return false;
     }
-    const std::optional<solver::Soil> soil = named.quantity->soil;
-    if (any_soil_ || !soil || solver::contains(setup_, *soil)) return true;
-    errors_.add(
-        named.member->place, named.key,
-        fmt::format("has no effect: the profile has no {}", *soil == solver::Soil::sand ? "sand" : "clay"));
+    if (any_soil_ || solver::matters(*named.quantity, setup_)) return true;
+    const std::string& soil = named.quantity->soil;
+    errors_.add(named.member->place, named.key,
+                soil.empty()
+                    ? fmt::format("has no effect: no layer is of {}", solver::acts_on_text(*named.quantity))
+                    : fmt::format("has no effect: the profile has no {}", soil));
     return false;
   }
 

@@ -79,7 +79,7 @@ class SamplesReader {
     Meaning found;
     for (const std::string_view word : {"name", "status", "reason", "eval_id"})
       if (meaning == word) found.word = meaning;
-    found.quantity = solver::find_quantity(meaning);
+    found.quantity = solver::find_quantity(meaning, study_.baseline);
     for (std::size_t w = 0; w < study_.windows.size(); ++w)
       for (const auto& [ending, member] : parts)
         if (meaning == study_.windows[w].name + std::string(ending)) {
@@ -104,7 +104,7 @@ class SamplesReader {
     const std::vector<std::string_view> known(averages.begin(), averages.end());
     const bool average = meaning.find("q_c") != meaning.npos;
     const std::string_view near =
-        average ? solver::nearest_name(meaning, known) : solver::nearest_quantity(meaning);
+        average ? solver::nearest_name(meaning, known) : solver::nearest_quantity(meaning, study_.baseline);
     errors_.add(
         name.place, name.text,
         fmt::format("is neither a quantity nor an average of q_c in a window of the study ({})",

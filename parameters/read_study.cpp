@@ -16,6 +16,7 @@
 #include "parameters/fields.hpp"
 #include "parameters/read_design.hpp"
 #include "parameters/read_quantities.hpp"
+#include "parameters/read_soils.hpp"
 #include "parameters/study_keys.hpp"
 
 namespace cpt::parameters {
@@ -35,10 +36,12 @@ class StudyReader {
     const bool profile_known = read_profile();
     read_output();
     read_limits();
-    const std::vector<solver::Layer> layers = read_layers();
+    const bool sound_soils = read_own_soils();
+    const std::vector<solver::Layer> layers = read_layers(sound_soils);
     read_zones();
 
     if (!layers.empty()) study_.baseline.layers = layers;
+    if (sound_soils) check_use_of_soils();
     const QuantitySections sections =
         read_quantities(root_, study_.baseline, !profile_known && layers.empty(), errors_);
     for (const Setting& setting : sections.settings)
@@ -119,7 +122,47 @@ class StudyReader {
     study_.wall_limit_seconds = *minutes * 60.0;
   }
 
-  std::vector<solver::Layer> read_layers() {
+  // Those of the section, or the defaults; false after an error. The layers of the profile then have its
+  // soils by name.
+  bool read_own_soils() {
+    const std::vector<solver::Soil> defaults = study_.baseline.soils;
+    if (const Member* soils = root_.find("soils")) places_.soils = soils->place;
+    if (!read_soils(root_, study_.baseline, errors_)) return false;
+    if (places_.soils.line == 0) return true;
+    const bool own_layers = root_.find("layers") != nullptr;
+    for (solver::Layer& layer : study_.baseline.layers) {
+      const auto place = soil_named(defaults[layer.soil].name);
+      if (!place && !own_layers) {
+        errors_.add(
+            places_.soils, "soils",
+            fmt::format("names no soil \"{}\", which layers of the profile have", defaults[layer.soil].name),
+            "give [[layers]] of your own soils");
+        return false;
+      }
+      layer.soil = place.value_or(0);
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::optional<std::size_t> soil_named(std::string_view name) const {
+    const auto& soils = study_.baseline.soils;
+    const auto found = std::ranges::find(soils, name, &solver::Soil::name);
+    return found == soils.end() ? std::nullopt
+                                : std::optional(static_cast<std::size_t>(found - soils.begin()));
+  }
+
+  // A soil that no layer has would be a slip of the pen.
+  void check_use_of_soils() {
+    if (places_.soils.line == 0) return;
+    for (const Member& member : root_.find("soils")->value.members)
+      if (!solver::contains(study_.baseline, *soil_named(member.key)))
+        errors_.add(member.place, joined("soils", member.key), "no layer consists of it",
+                    "name it in [[layers]], or leave it out");
+  }
+
+  std::vector<solver::Layer> read_layers(bool sound_soils) {
+    std::vector<std::string_view> names;
+    for (const solver::Soil& soil : study_.baseline.soils) names.push_back(soil.name);
     std::vector<solver::Layer> layers;
     bool sound = true;
     for (const Value* table : sections(root_, "layers", errors_)) {
@@ -127,9 +170,11 @@ class StudyReader {
       refuse_unknown("layers", *table);
       const auto top = number_field(*table, "layers", "top_m", true, errors_);
       const auto bottom = number_field(*table, "layers", "bottom_m", true, errors_);
-      const auto soil = choice(*table, "layers", "soil", true);
-      sound = sound && top && bottom && soil;
-      if (sound) layers.push_back({*top, *bottom, *soil == "sand" ? solver::Soil::sand : solver::Soil::clay});
+      // With errors in [soils] it is not known which soils there are.
+      const auto soil = sound_soils ? name_field(*table, "layers", "soil", true, names, errors_)
+                                    : text_field(*table, "layers", "soil", true, errors_);
+      sound = sound && sound_soils && top && bottom && soil;
+      if (sound) layers.push_back({*top, *bottom, *soil_named(*soil)});
     }
     return sound ? layers : std::vector<solver::Layer>();
   }
@@ -175,7 +220,7 @@ class StudyReader {
   }
 
   void read_design_points() {
-    study_.design = read_design(root_, study_.rows, errors_);
+    study_.design = read_design(root_, study_.rows, study_.baseline, errors_);
     study_.design.first_point = study_.points.size();
     const std::vector<DesignPoint> made = design_points(study_);
     study_.design.points = made.size();

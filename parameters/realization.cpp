@@ -22,7 +22,8 @@ std::string_view to_string(Side side) {
 
 std::string_view parameter_name(const Study& study, const Realization& realization) {
   if (realization.point >= 0) return study.points[static_cast<std::size_t>(realization.point)].name;
-  return realization.row < 0 ? "" : study.rows[static_cast<std::size_t>(realization.row)].quantity->name;
+  if (realization.row < 0) return "";
+  return study.rows[static_cast<std::size_t>(realization.row)].quantity->name;
 }
 
 double parameter_value(const Study& study, const Realization& realization) {

@@ -2,6 +2,7 @@
 
 #include "parameters/designs/design.hpp"
 #include "solver/presets.hpp"
+#include "solver/soils/law.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -10,6 +11,12 @@ template <class Enum>
 std::vector<std::string_view> names_of(std::span<const Enum> values) {
   std::vector<std::string_view> names;
   for (const Enum value : values) names.push_back(solver::to_string(value));
+  return names;
+}
+
+std::vector<std::string_view> law_names() {
+  std::vector<std::string_view> names;
+  for (const solver::Law* law : solver::all_laws()) names.push_back(law->name());
   return names;
 }
 
@@ -42,6 +49,12 @@ std::vector<KeyTable> listed_tables() {
        "what a realization may take",
        {{"wall_minutes", "number above 0", "no limit",
          "wall-clock time after which one realization is ended"}}},
+      {"soils",
+       false,
+       "soils by name, in place of sand (norsand) and clay (tresca): [soils.NAME], each in some layer; their "
+       "quantities are "
+       "NAME.parameter (laws.md)",
+       {{"law", "text", "required", "the constitutive law", least, most, law_names()}}},
       {"fixed", false, "quantities in place of the preset's value: \"NAME\" = VALUE", {}},
       {"parameters",
        false,
@@ -89,7 +102,7 @@ std::vector<KeyTable> listed_tables() {
        "a layer in place of the profile's; all of them, from the top, without gaps",
        {{"top_m", "number", "required", "depth of its top [m]"},
         {"bottom_m", "number", "required", "depth of its bottom [m]"},
-        {"soil", "text", "required", "what it consists of", least, most, {"sand", "clay"}}}},
+        {"soil", "text", "required", "what it consists of: a soil of [soils], else sand or clay"}}},
       {"zones",
        true,
        "a radial zone of material points in place of the preset's; all of them, from the axis",

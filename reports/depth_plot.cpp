@@ -28,22 +28,29 @@ double median_around(const std::vector<double>& values, std::size_t i) {
 
 }  // namespace
 
-bool DepthPlot::shows_clay(const std::vector<results::LayerRow>& layers) const {
-  const bool layered =
-      std::any_of(layers.begin(), layers.end(), [](const auto& layer) { return layer.soil != "clay"; });
-  return layered && std::any_of(layers.begin(), layers.end(), [&](const results::LayerRow& layer) {
-           return layer.soil == "clay" && layer.top_m < depth.high && layer.bottom_m > depth.low;
-         });
+std::vector<SoilTint> DepthPlot::tinted(const std::vector<results::LayerRow>& layers) const {
+  std::vector<std::string> soils;  // in the order of their first layers, the plain one first
+  for (const results::LayerRow& layer : layers)
+    if (std::ranges::find(soils, layer.soil) == soils.end())
+      soils.insert(layer.soil == "sand" ? soils.begin() : soils.end(), layer.soil);
+  std::vector<SoilTint> seen;
+  for (std::size_t k = 1; k < soils.size(); ++k)
+    if (std::ranges::any_of(layers, [&](const results::LayerRow& layer) {
+          return layer.soil == soils[k] && layer.top_m < depth.high && layer.bottom_m > depth.low;
+        }))
+      seen.push_back({soils[k], palette::tints[(k - 1) % palette::tints.size()]});
+  return seen;
 }
 
 void DepthPlot::draw_ground(Svg& svg, const std::vector<results::LayerRow>& layers, int ticks_across,
                             int ticks_down) const {
+  const std::vector<SoilTint> tints = tinted(layers);
   for (const results::LayerRow& layer : layers) {
-    if (!shows_clay(layers)) break;
     const double top = std::max(layer.top_m, depth.low);
     const double bottom = std::min(layer.bottom_m, depth.high);
-    if (layer.soil == "clay" && bottom > top)
-      svg.rectangle({box.x, depth(top), box.width, depth(bottom) - depth(top)}, palette::clay);
+    const auto tint = std::ranges::find(tints, layer.soil, &SoilTint::soil);
+    if (tint != tints.end() && bottom > top)
+      svg.rectangle({box.x, depth(top), box.width, depth(bottom) - depth(top)}, tint->colour);
   }
   draw_horizontal(svg, box, q_c, Edge::top, symbolic("q_c (kPa)"), ticks_across);
   draw_vertical(svg, box, depth, plain("depth (m)"), ticks_down);

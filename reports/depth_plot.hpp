@@ -9,19 +9,26 @@
 
 namespace cpt::reports {
 
+struct SoilTint {
+  std::string soil;
+  std::string_view colour;
+};
+
 struct DepthPlot {
   Box box;
   Axis q_c;    ///< kPa
   Axis depth;  ///< m
 
-  /// Clay layers (where there is sand, too), then grid, tick labels and titles.
+  /// Layers of tinted soils, then grid, tick labels and titles.
   void draw_ground(Svg& svg, const std::vector<results::LayerRow>& layers, int ticks_across = 5,
                    int ticks_down = 8) const;
   void draw_curve(Svg& svg, const solver::DepthProfile& profile, const Pen& pen) const;
   void draw_frame(Svg& svg) const;
   /// A bracket at the right edge where a window lies.
   void draw_window_mark(Svg& svg, const results::WindowRow& window) const;
-  [[nodiscard]] bool shows_clay(const std::vector<results::LayerRow>& layers) const;
+  /// Soils that are tinted and seen in this range of depth, none where there is but one soil: all but sand,
+  /// or the first.
+  [[nodiscard]] std::vector<SoilTint> tinted(const std::vector<results::LayerRow>& layers) const;
 };
 
 /// Axes that hold all given curves from the soil's top, q_c from zero; spikes of single bins may leave the

@@ -12,6 +12,8 @@ inline constexpr std::string_view faint = "#b5b5b5";
 inline constexpr std::string_view grid = "#dddddd";
 inline constexpr std::string_view band = "#d9d9d9";
 inline constexpr std::string_view clay = "#f1e7d4";
+/// Of soils after the first, light enough for lines above them.
+inline constexpr std::array<std::string_view, 4> tints = {clay, "#dfe9ef", "#e6e0ec", "#e2ecdc"};
 
 inline constexpr std::string_view blue = "#0072b2";
 inline constexpr std::string_view vermillion = "#d55e00";

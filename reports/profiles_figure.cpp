@@ -95,7 +95,7 @@ std::optional<std::string> profiles_figure(const Snapshot& campaign, Column colu
     legend.line(plain(fmt::format("{} other{}", others, others == 1 ? "" : "s")), {palette::faint, 0.7, {}});
   if (partial > 0)
     legend.line(plain(fmt::format("{} failed on the way", partial)), {palette::faint, 0.7, "2 1.5"});
-  if (axes.shows_clay(campaign.layers)) legend.patch(plain("clay"), palette::clay);
+  for (const SoilTint& tint : axes.tinted(campaign.layers)) legend.patch(plain(tint.soil), tint.colour);
   legend.gap();
   for (const results::WindowRow& window : campaign.windows) axes.draw_window_mark(svg, window);
   if (std::any_of(campaign.windows.begin(), campaign.windows.end(),

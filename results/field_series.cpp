@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "results/atomic_file.hpp"
-#include "results/point_quantities.hpp"
 
 namespace cpt::results {
 namespace {
@@ -41,8 +40,12 @@ VtkArray point_array(const PointQuantity& quantity, const std::vector<solver::Po
 
 }  // namespace
 
-FieldSeries::FieldSeries(std::filesystem::path folder, std::string name, std::string origin)
-    : folder_(std::move(folder)), name_(std::move(name)), origin_(std::move(origin)) {
+FieldSeries::FieldSeries(std::filesystem::path folder, std::string name, std::string origin,
+                         std::vector<PointQuantity> quantities)
+    : folder_(std::move(folder)),
+      name_(std::move(name)),
+      origin_(std::move(origin)),
+      quantities_(std::move(quantities)) {
   make_folder(folder_);
 }
 
@@ -58,7 +61,7 @@ void FieldSeries::add(double wanted_depth, double depth, const std::vector<solve
     points.ids.push_back(state.id);
     material.values.push_back(static_cast<double>(state.material));
   }
-  for (const PointQuantity& quantity : point_quantities())
+  for (const PointQuantity& quantity : quantities_)
     if (quantity.name != "position") points.arrays.push_back(point_array(quantity, now, start));
   points.arrays.push_back(std::move(material));
 

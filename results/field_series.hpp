@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "results/point_quantities.hpp"
 #include "results/vtk_file.hpp"
 #include "solver/point_states.hpp"
 
@@ -14,7 +15,8 @@ class FieldSeries {
  public:
   /// Files go to `folder`, made if need be; the series is FOLDER/NAME.pvd. `origin` says where the data come
   /// from. Throws Error if the folder cannot be made.
-  FieldSeries(std::filesystem::path folder, std::string name, std::string origin);
+  FieldSeries(std::filesystem::path folder, std::string name, std::string origin,
+              std::vector<PointQuantity> quantities);
 
   /// Writes NAME-DEPTHm.vtu, named by the depth that was asked for, and brings the series level. `now` and
   /// `start` hold the same points in the same order. Throws Error.
@@ -27,6 +29,7 @@ class FieldSeries {
  private:
   std::filesystem::path folder_;
   std::string name_, origin_;
+  std::vector<PointQuantity> quantities_;
   std::vector<VtkFrame> frames_;
 };
 

@@ -6,14 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "results/point_quantities.hpp"
-
 namespace cpt::results {
 namespace {
 
 using solver::PointState;
 
-bool is_soil(const PointState& point) { return point.material != solver::Material::surcharge; }
+bool is_soil(const PointState& point) { return !point.surcharge; }
 
 const PointState* nearest(const std::vector<PointState>& points, const Place& place) {
   const PointState* best = nullptr;
@@ -46,8 +44,9 @@ std::string column_name(const PointQuantity& quantity, std::size_t component) {
   return fmt::format("{}_{}", quantity.name, quantity.components[component]);
 }
 
-void add_row(HistoryColumns& columns, const PointState& now, const PointState& start) {
-  for (const PointQuantity& quantity : point_quantities())
+void add_row(HistoryColumns& columns, const std::vector<PointQuantity>& quantities, const PointState& now,
+             const PointState& start) {
+  for (const PointQuantity& quantity : quantities)
     for (std::size_t c = 0; c < std::max<std::size_t>(1, quantity.components.size()); ++c) {
       HistoryColumn& column = columns[column_name(quantity, c)];
       column.unit = quantity.unit;
@@ -59,11 +58,12 @@ void add_row(HistoryColumns& columns, const PointState& now, const PointState& s
 
 HistoryRecorder::HistoryRecorder(const std::vector<Place>& track,
                                  const std::vector<DepthInterval>& wall_between,
-                                 const std::vector<PointState>& start) {
+                                 const std::vector<PointState>& start, const solver::Setup& setup)
+    : quantities_(point_quantities(setup)) {
   for (const Place& place : track) {
     const PointState& point = *nearest(start, place);
     histories_.points.push_back(
-        {place, {point.r, -point.z}, point.id, std::string(to_string(point.material)), {}});
+        {place, {point.r, -point.z}, point.id, material_name(setup, point.material), {}});
     start_.push_back(point);
     ids_.push_back(point.id);
   }
@@ -80,7 +80,7 @@ void HistoryRecorder::add(double tip_depth, const solver::MaterialPoints& points
   histories_.tip_depth.push_back(tip_depth);
   std::size_t next = 0;
   for (PointHistory& history : histories_.points) {
-    add_row(history.columns, now[next], start_[next]);
+    add_row(history.columns, quantities_, now[next], start_[next]);
     ++next;
   }
   for (WallHistory& wall : histories_.walls) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "results/histories.hpp"
+#include "results/point_quantities.hpp"
 #include "solver/point_states.hpp"
 
 namespace cpt::results {
@@ -13,7 +14,7 @@ class HistoryRecorder {
  public:
   /// Chooses the points from the state at the start of the push. Surcharge is not followed.
   HistoryRecorder(const std::vector<Place>& track, const std::vector<DepthInterval>& wall_between,
-                  const std::vector<solver::PointState>& start);
+                  const std::vector<solver::PointState>& start, const solver::Setup& setup);
 
   /// Adds a row for the tip at this depth [m].
   void add(double tip_depth, const solver::MaterialPoints& points);
@@ -23,6 +24,7 @@ class HistoryRecorder {
 
  private:
   Histories histories_;
+  std::vector<PointQuantity> quantities_;
   std::vector<solver::PointState> start_;  // of the tracked points
   std::vector<std::int64_t> ids_;          // the tracked points, then those of each wall interval
 };

@@ -188,7 +188,7 @@ void write_study(const Database& database, const parameters::Study& study, const
         .bind(++position)
         .bind(layer.top)
         .bind(layer.bottom)
-        .bind(layer.soil == solver::Soil::sand ? "sand" : "clay")
+        .bind(study.baseline.soils[layer.soil].name)
         .run();
   position = 0;
   for (const parameters::Row& row : study.rows)

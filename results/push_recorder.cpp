@@ -7,6 +7,7 @@ namespace cpt::results {
 
 PushRecorder::PushRecorder(PushRequest request, const solver::Setup& setup, FieldSeries& fields)
     : request_(std::move(request)),
+      setup_(setup),
       bin_height_(setup.numerics.bin_height),
       final_depth_(setup.penetrometer.final_depth),
       fields_(fields) {}
@@ -34,7 +35,7 @@ void PushRecorder::record(double depth, const solver::MaterialPoints& points) {
   if (first) {
     start_ = solver::point_states(points);
     if (!request_.track.empty() || !request_.wall_between.empty())
-      history_.emplace(request_.track, request_.wall_between, start_);
+      history_.emplace(request_.track, request_.wall_between, start_, setup_);
   }
   if (history_ && (first || last || depth >= static_cast<double>(next_bin_ + 1) * bin_height_)) {
     history_->add(depth, points);

@@ -42,6 +42,7 @@ class PushRecorder : public solver::Observer {
   void record(double depth, const solver::MaterialPoints& points);
 
   PushRequest request_;
+  solver::Setup setup_;
   double bin_height_, final_depth_;  // [m]
   FieldSeries& fields_;
   std::optional<HistoryRecorder> history_;

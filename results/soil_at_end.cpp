@@ -7,7 +7,7 @@ SoilAtEnd soil_at_end(const std::vector<solver::PointState>& start,
   SoilAtEnd soil;
   for (std::size_t k = 0; k < end.size(); ++k) {
     const solver::PointState& point = end[k];
-    if (point.material == solver::Material::surcharge) continue;
+    if (point.surcharge) continue;
     soil.r.push_back(point.r);
     soil.depth.push_back(-point.z);
     soil.volume.push_back(point.volume);

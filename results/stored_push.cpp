@@ -48,6 +48,10 @@ fs::path series_of(const fs::path& place) {
 
 }  // namespace
 
+bool StoredPush::has_setting(const std::string& name_of_setting) const {
+  return setup_by_name(histories.origin.at("setup")).contains(name_of_setting);
+}
+
 std::string StoredPush::setting(const std::string& name_of_setting) const {
   const auto setup = setup_by_name(histories.origin.at("setup"));
   if (const auto found = setup.find(name_of_setting); found != setup.end()) return found->second;

@@ -23,6 +23,7 @@ struct StoredPush {
 
   /// An input as the setup's text has it (solver::canonical_text); throws Error if there is none.
   [[nodiscard]] std::string setting(const std::string& name) const;
+  [[nodiscard]] bool has_setting(const std::string& name) const;
   /// The same as a number.
   [[nodiscard]] double number(const std::string& name) const;
 };

@@ -9,7 +9,9 @@ Setup actual_setup(const Setup& setup) {
   Mechanisms& mechanisms = actual.mechanisms;
   actual.initial.sigma_v0 *= mechanisms.cushion_transfer.factor();
   actual.initial.sigma_h0 *= mechanisms.cushion_transfer.factor();
-  actual.sand.OCR *= mechanisms.overconsolidation.factor();
+  for (Soil& soil : actual.soils)
+    if (auto* sand = std::get_if<NorSandParameters>(&soil.parameters))
+      sand->OCR *= mechanisms.overconsolidation.factor();
   mechanisms.layer_shift.apply(actual.layers);
   actual.penetrometer.diameter -= mechanisms.worn_cone.diameter_loss;
   actual.penetrometer.apex += mechanisms.worn_cone.apex_increase;

@@ -23,7 +23,7 @@ Totals totals(const Model& model) {
   for (std::int32_t b = 0; b < points.bucket_count(); ++b) {
     const Bucket& bucket = points.bucket(b);
     const PointFields p = points.fields(bucket);
-    const double g = s.gravity * s.weight_ratio[b % material_count];
+    const double g = s.gravity * s.weight_ratio[b % s.materials];
     for (std::int32_t k = 0; k < bucket.count; ++k) {
       const double m = two_pi * p.mass[k];
       t.mass += m;
@@ -51,7 +51,7 @@ void Auditor::add_step(const Model& model, const PenetrometerLoad& load, double 
   const double upward = load.cone_force + load.shaft_force;
   double weight = 0.0;  // [N/rad]
   for (const CellSums& sums : model.sums())
-    for (int m = 0; m < material_count; ++m)
+    for (std::int32_t m = 0; m < model.settings().materials; ++m)
       weight += sums.material_mass[m] * model.settings().weight_ratio[m];
   weight *= model.settings().gravity;
   impulse_ += two_pi * (bottom_impulse - weight * dt) - upward * dt;

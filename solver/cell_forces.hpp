@@ -24,7 +24,8 @@ struct alignas(64) CellForces {
 /// Constants of a run, as in ModelSettings.
 struct CellForceSettings {
   double courant, mass_scaling, bulk_viscosity, gravity;
-  double face_inertia[material_count], weight_ratio[material_count];
+  double face_inertia[most_materials], weight_ratio[most_materials];
+  std::int32_t materials;
   bool partial_cells;
 };
 

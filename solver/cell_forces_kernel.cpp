@@ -153,7 +153,7 @@ CPT_INLINE void compute(const CellForceSettings& settings, const Pack* sums, con
 
   Pack p = mean_pressure_volume / cell_volume;
   Pack mass = zero, weight = zero, largest_factor = splat(infinity);
-  for (int m = 0; m < material_count; ++m) {
+  for (std::int32_t m = 0; m < settings.materials; ++m) {
     const Pack part = sums[CPT_FIELD(CellSums, material_mass) + m];
     largest_factor =
         select(greater(part, zero), smaller(largest_factor, splat(settings.face_inertia[m])), largest_factor);

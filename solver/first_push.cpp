@@ -5,8 +5,31 @@
 
 #include "solver/initial_state.hpp"
 #include "solver/point_states.hpp"
+#include "solver/soils/law.hpp"
 
 namespace cpt::solver {
+namespace {
+
+// Of the points of one soil in a bin.
+struct SoilSum {
+  double volume = 0.0;  // [m3]
+  double e = 0.0;       // [m3] void ratio times volume
+};
+
+// Mean over the soils by their volume [-].
+double change_of_void_ratio(const Setup& setup, const std::vector<SoilSum>& sums, double depth) {
+  double volume = 0.0, change = 0.0;
+  for (const SoilSum& sum : sums) volume += sum.volume;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    if (sums[k].volume <= 0.0) continue;
+    const Soil& soil = setup.soils[k];
+    const double before = law_of(soil).void_ratio_at(setup, soil.parameters, {}, depth);
+    change += sums[k].volume / volume * (sums[k].e / sums[k].volume - before);
+  }
+  return change;
+}
+
+}  // namespace
 
 FirstPush::FirstPush(const Setup& setup, Observer& observer)
     : setup_(setup), asked_(setup.mechanisms.previous_push), observer_(observer) {
@@ -21,13 +44,16 @@ double FirstPush::next_look() const {
 void FirstPush::look(double depth, const MaterialPoints& points) {
   looked_ = true;
   struct Bin {
-    double volume = 0.0, sand_volume = 0.0, sigma_h = 0.0, sigma_v = 0.0, e = 0.0;
+    double volume = 0.0, sigma_h = 0.0, sigma_v = 0.0;
+    std::vector<SoilSum> of_soil;
   };
   const auto count = static_cast<std::size_t>(std::max(1.0, std::floor(depth / left_.bin)));
-  std::vector<Bin> bins(count);
+  const std::size_t soils = setup_.soils.size();
+  std::vector<Bin> bins(count, {0.0, 0.0, 0.0, std::vector<SoilSum>(soils)});
   const double reach = 2.0 * setup_.penetrometer.diameter;
   for (const PointState& point : point_states(points)) {
-    if (point.material == Material::surcharge || point.z >= 0.0) continue;
+    const auto soil = static_cast<std::size_t>(point.material);
+    if (soil >= soils || point.z >= 0.0) continue;
     if (std::abs(point.r - asked_.spacing) > reach) continue;
     const auto k = static_cast<std::size_t>(-point.z / left_.bin);
     if (k >= count) continue;
@@ -35,9 +61,9 @@ void FirstPush::look(double depth, const MaterialPoints& points) {
     bin.volume += point.volume;
     bin.sigma_h -= 0.5 * (point.s_rr + point.s_tt) * point.volume;
     bin.sigma_v -= point.s_zz * point.volume;
-    if (point.material != Material::sand) continue;
-    bin.sand_volume += point.volume;
-    bin.e += point.e * point.volume;
+    if (!law_of(setup_.soils[soil]).density_varies()) continue;
+    bin.of_soil[soil].volume += point.volume;
+    bin.of_soil[soil].e += point.e * point.volume;
   }
 
   double ratio_v = 0.0;
@@ -62,9 +88,7 @@ void FirstPush::look(double depth, const MaterialPoints& points) {
       // The second push's K_0 stress grows with sigma_v0 already.
       left_.sigma_h_ratio[k] = (1.0 + stress_share * (ratio - 1.0)) / left_.sigma_v_ratio;
     }
-    if (bin.sand_volume > 0.0)
-      left_.void_ratio_change[k] =
-          void_ratio_share * (bin.e / bin.sand_volume - sand_void_ratio(setup_, {}, middle));
+    left_.void_ratio_change[k] = void_ratio_share * change_of_void_ratio(setup_, bin.of_soil, middle);
   }
 }
 

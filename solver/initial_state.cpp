@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/constitutive/varying_tresca.hpp"
 #include "solver/point_grid.hpp"
 
 namespace cpt::solver {
@@ -22,7 +21,7 @@ double effective_ratio(SelfWeight kind, double rho) {
 
 double K_0(const Setup& setup) { return setup.initial.sigma_h0 / setup.initial.sigma_v0; }
 
-Soil soil_at(const Setup& setup, double depth, std::uint64_t id) {
+std::size_t soil_at(const Setup& setup, double depth, std::uint64_t id) {
   const InterfaceMixing& mixing = setup.mechanisms.interface_mixing;
   for (std::size_t k = 0; k < setup.layers.size(); ++k) {
     const Layer& layer = setup.layers[k];
@@ -39,12 +38,11 @@ Soil soil_at(const Setup& setup, double depth, std::uint64_t id) {
 
 }  // namespace
 
-Bulk bulk(const Setup& setup, Soil soil) {
-  const bool sand = soil == Soil::sand;
-  const double e = sand ? setup.sand.e_max - setup.sand.D_r * (setup.sand.e_max - setup.sand.e_min)
-                        : setup.clay.n_0 / (1.0 - setup.clay.n_0);
-  const double rho_grains = sand ? setup.sand.rho_grains : setup.clay.rho_grains;
-  const double rho = (rho_grains + e * rho_water) / (1.0 + e);
+Bulk bulk(const Setup& setup, std::size_t soil) {
+  const LawParameters& parameters = setup.soils[soil].parameters;
+  const Law& law = law_of(setup.soils[soil]);
+  const double e = law.void_ratio(parameters);
+  const double rho = (law.grain_density(parameters) + e * rho_water) / (1.0 + e);
   return {e, rho, effective_ratio(setup.initial.self_weight, rho)};
 }
 
@@ -75,21 +73,13 @@ double wall_shear(const Setup& setup, const LeftBehind& left, double z) {
   return z < 0.0 ? setup.mechanisms.wall_friction.coefficient * horizontal_stress(setup, left, z) : 0.0;
 }
 
-double sand_void_ratio(const Setup& setup, const LeftBehind& left, double depth) {
-  const Sand& sand = setup.sand;
-  const double e = bulk(setup, Soil::sand).e;
-  const double denser =
-      setup.mechanisms.surface_compaction.at(depth) + setup.mechanisms.density_lens.at(depth);
-  const double change = left.void_ratio(depth) - denser * (sand.e_max - sand.e_min);
-  return change == 0.0 ? e : std::clamp(e + change, std::min(e, sand.e_min), std::max(e, sand.e_max));
-}
-
-InitialState initial_state(const Setup& setup, const NorSand* sand, const LeftBehind& left) {
+InitialState initial_state(const Setup& setup, std::span<const std::unique_ptr<const SoilModel>> soils,
+                           const LeftBehind& left) {
   InitialState state;
   const double R_cone = setup.penetrometer.diameter / 2.0;
   const double slope = 1.0 / std::tan(setup.penetrometer.apex / 2.0);
-  const bool varying = strength_varies(setup.mechanisms);
   const bool layer = setup.chamber.surcharge == SurchargeKind::layer;
+  constexpr double surcharge_void_ratio = 0.7;  // [-] it does not matter to an elastic layer
 
   double id = 0.0;
   for (const PointGrid& grid : point_grids(setup)) {
@@ -99,25 +89,24 @@ InitialState initial_state(const Setup& setup, const NorSand* sand, const LeftBe
         const double z = grid.z(j);
         if (r < R_cone && z > (r - R_cone) * slope) continue;  // inside the penetrometer
 
-        const bool in_surcharge = z > 0.0;
-        const Soil soil = in_surcharge ? Soil::sand : soil_at(setup, -z, static_cast<std::uint64_t>(id));
-        const Bulk b = bulk(setup, soil);
-        const bool is_sand = !in_surcharge && soil == Soil::sand, is_clay = soil == Soil::clay;
-        const double e = is_sand ? sand_void_ratio(setup, left, -z) : b.e;
         const double sigma_v = vertical_stress(setup, z), sigma_h = horizontal_stress(setup, left, z);
         const double s_rz = wall_shear(setup, left, z) * r / setup.chamber.radius;
         const double volume = r * grid.dr * grid.dz;
-        const double rho = in_surcharge ? surcharge_density(setup) : b.rho;
         const bool loaded = !layer && j == grid.rows - 1;
-        double p_i = 0.0;
-        if (is_sand && sand) p_i = sand->initial_image_pressure(-sigma_h, -sigma_v, -sigma_h, s_rz, e);
-        if (is_clay && varying) p_i = strength_at(setup.clay, setup.mechanisms, -z);
+        std::size_t material = setup.soils.size();
+        double rho = surcharge_density(setup), e = surcharge_void_ratio;
+        PointHistory history{};
+        if (z <= 0.0) {
+          material = soil_at(setup, -z, static_cast<std::uint64_t>(id));
+          const Soil& soil = setup.soils[material];
+          rho = bulk(setup, material).rho;
+          e = law_of(soil).void_ratio_at(setup, soil.parameters, left, -z);
+          if (material < soils.size() && soils[material])
+            history = soils[material]->start({-z, -sigma_h, -sigma_v, -sigma_h, s_rz, e});
+        }
         state.points.push_back(
-            {{r, z, 0.0, 0.0, -sigma_h, -sigma_v, -sigma_h, s_rz, rho * volume, volume, e, p_i, 0.0, 0.0,
-              loaded ? setup.initial.sigma_v0 * r * grid.dr : 0.0, id, 0.0}});
-        const Material material = in_surcharge         ? Material::surcharge
-                                  : soil == Soil::sand ? Material::sand
-                                                       : Material::clay;
+            {{r, z, 0.0, 0.0, -sigma_h, -sigma_v, -sigma_h, s_rz, rho * volume, volume, e, history[0], 0.0,
+              0.0, loaded ? setup.initial.sigma_v0 * r * grid.dr : 0.0, id, history[1]}});
         state.material.push_back(static_cast<std::int32_t>(material));
       }
     }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
-#include "solver/constitutive/norsand.hpp"
 #include "solver/material_points.hpp"
 #include "solver/setup.hpp"
+#include "solver/soils/law.hpp"
 
 namespace cpt::solver {
 
@@ -19,7 +21,8 @@ struct Bulk {
   double rho;           // [kg/m3] saturated density
   double weight_ratio;  // [-] effective over total unit weight, by Setup::initial.self_weight
 };
-[[nodiscard]] Bulk bulk(const Setup& setup, Soil soil);
+/// Of the soil at this place in Setup::soils.
+[[nodiscard]] Bulk bulk(const Setup& setup, std::size_t soil);
 
 /// Density of the surcharge layer that gives sigma_v0 at the soil's top [kg/m3].
 [[nodiscard]] double surcharge_density(const Setup& setup);
@@ -32,16 +35,16 @@ struct Bulk {
 [[nodiscard]] double horizontal_stress(const Setup& setup, const LeftBehind& left, double z);
 /// Shear stress of the soil on the wall [Pa] at height z, downward positive; 0 without wall friction.
 [[nodiscard]] double wall_shear(const Setup& setup, const LeftBehind& left, double z);
-/// Void ratio of the sand [-] at a depth [m], mechanisms included; between e_min and e_max where they act.
-[[nodiscard]] double sand_void_ratio(const Setup& setup, const LeftBehind& left, double depth);
 
 struct InitialState {
   std::vector<Point> points;
-  std::vector<std::int32_t> material;  // Material of each point
+  std::vector<std::int32_t> material;  // number of each point's soil; that after the last is the surcharge
 };
 
-/// Points on the grids of the radial zones, but for those inside the penetrometer.
-[[nodiscard]] InitialState initial_state(const Setup& setup, const NorSand* sand,
+/// Points on the grids of the radial zones, but for those inside the penetrometer. Points of soils without a
+/// model keep no state.
+[[nodiscard]] InitialState initial_state(const Setup& setup,
+                                         std::span<const std::unique_ptr<const SoilModel>> soils,
                                          const LeftBehind& left = {});
 
 }  // namespace cpt::solver

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double mm = 1.0e-3;  // [m]
 
-std::string_view name_of(Soil soil) { return soil == Soil::sand ? "sand" : "clay"; }
-
 // "16 mm", "5.3 mm"
 std::string millimetres(double length) { return fmt::format("{:.3g} mm", length / mm); }
 
@@ -126,11 +124,11 @@ std::vector<std::string> layer_remarks(const Setup& setup) {
                                          100.0 * layer_as_asked, millimetres(least.thickness));
   if (worst != nullptr) {
     const MadeInterval& zone = worst_of(*worst);
-    const Soil soil = setup.layers[static_cast<std::size_t>(worst - made.data())].soil;
+    const Layer& layer = setup.layers[static_cast<std::size_t>(worst - made.data())];
     remarks.push_back(fmt::format(
         "layers are made of whole rows of material points: {} of {} differ by more than {:g} % somewhere, "
         "most the {} from {:.4g} to {:.4g} m, {} thick: it {}; {}",
-        off, made.size(), 100.0 * layer_as_asked, name_of(soil), zone.top, zone.bottom,
+        off, made.size(), 100.0 * layer_as_asked, setup.soils[layer.soil].name, zone.top, zone.bottom,
         millimetres(zone.asked()), deviation_of(zone, setup.chamber.radius, "is", "lies"), always));
   }
   if (const auto lens = made_lens(setup);

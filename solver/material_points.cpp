@@ -35,9 +35,9 @@ void make_dummy(const Bucket& bucket, std::int32_t slot) {
 void MaterialPoints::Free::operator()(double* p) const { std::free(p); }
 
 MaterialPoints::MaterialPoints(const std::vector<Point>& points, const std::vector<std::int32_t>& bucket_of,
-                               std::int32_t cells)
-    : size_(static_cast<std::int64_t>(points.size())) {
-  std::vector<std::int32_t> counts(static_cast<std::size_t>(cells) * material_count, 0);
+                               std::int32_t cells, std::int32_t materials)
+    : size_(static_cast<std::int64_t>(points.size())), materials_(materials) {
+  std::vector<std::int32_t> counts(static_cast<std::size_t>(cells) * static_cast<std::size_t>(materials), 0);
   for (const std::int32_t b : bucket_of) ++counts[b];
   buckets_.resize(counts.size());
   for (std::size_t b = 0; b < counts.size(); ++b) {

@@ -16,9 +16,9 @@
 
 namespace cpt::solver {
 
-/// What a material point is made of: the soils, and the surcharge above them.
-enum class Material : std::uint8_t { sand, clay, surcharge };
-inline constexpr std::int32_t material_count = 3;
+/// What material points are made of has a number: the soils of the setup in their order, then the surcharge
+/// above them.
+inline constexpr std::int32_t most_materials = 8;  // that a cell's sums have room for
 
 /// Pointers to a bucket's first slot in each field.
 struct PointFields {
@@ -33,12 +33,12 @@ struct PointFields {
   double* mass;    // [kg/rad]
   double* volume;  // [m3/rad]
   double* e;       // [-] void ratio
-  double* p_i;     // [Pa] image pressure of sand, undrained strength of clay that has its own (else 0)
+  double* h_0;     // first state variable of the soil's law (soils/law.hpp)
   double* xi;      // [-] natural coordinates in the cell
   double* eta;
-  double* load;     // [N/rad] share of a traction at the soil's top, downward
-  double* id;       // whole number that follows the point for ever
-  double* gamma_p;  // [-] accumulated plastic shear strain of clay that softens
+  double* load;  // [N/rad] share of a traction at the soil's top, downward
+  double* id;    // whole number that follows the point for ever
+  double* h_1;   // second state variable of the soil's law
 };
 inline constexpr std::int32_t field_count = sizeof(PointFields) / sizeof(double*);
 
@@ -56,9 +56,11 @@ struct Point {
 
 class MaterialPoints {
  public:
-  /// Sorts `points` into buckets: bucket_of[k] = cell * material_count + material.
+  /// Sorts `points` into buckets: bucket_of[k] = cell * materials + material.
   MaterialPoints(const std::vector<Point>& points, const std::vector<std::int32_t>& bucket_of,
-                 std::int32_t cells);
+                 std::int32_t cells, std::int32_t materials);
+
+  [[nodiscard]] std::int32_t materials() const { return materials_; }
 
   [[nodiscard]] const Bucket& bucket(std::int32_t index) const { return buckets_[index]; }
   [[nodiscard]] std::int32_t bucket_count() const { return static_cast<std::int32_t>(buckets_.size()); }
@@ -67,7 +69,7 @@ class MaterialPoints {
   static void prefetch(const Bucket& bucket) {
     const auto padded = static_cast<std::int32_t>(bucket.padded());
     const double* field = bucket.data;
-    for (std::int32_t f = 0; f < field_count - 3; ++f, field += bucket.capacity)  // all but load, id, gamma_p
+    for (std::int32_t f = 0; f < field_count - 3; ++f, field += bucket.capacity)  // all but load, id, h_1
       for (std::int32_t k = 0; k < padded; k += 8) __builtin_prefetch(field + k, 1);
   }
   [[nodiscard]] std::int64_t size() const { return size_; }
@@ -96,6 +98,7 @@ class MaterialPoints {
   std::vector<Bucket> buckets_;
   std::int32_t largest_capacity_ = 0;
   std::int64_t size_ = 0;
+  std::int32_t materials_;
 };
 
 }  // namespace cpt::solver

@@ -20,30 +20,20 @@ void for_each_index(std::int32_t count, int threads, const Function& function) {
 
 }  // namespace
 
-double Laws::update(Material material, const Batch& batch) const {
-  switch (material) {
-    case Material::sand:
-      return sand->update(batch);
-    case Material::clay:
-      return varying_clay ? varying_clay->update(batch) : clay->update(batch);
-    default:
-      return surcharge->update(batch);
-  }
-}
-
 Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std::int32_t>& material_of,
-             Laws laws, const ModelSettings& settings)
+             SoilModels soils, const ModelSettings& settings)
     : mesh_(std::move(mesh)),
       points_([&] {
         std::vector<Point> located = points;
         std::vector<std::int32_t> bucket_of(points.size());
         for (std::size_t k = 0; k < points.size(); ++k) {
           const Location at = mesh_.locate(points[k].field[0], points[k].field[1]);
-          bucket_of[k] = at.cell * material_count + material_of[k];
+          bucket_of[k] = at.cell * settings.materials + material_of[k];
         }
-        return MaterialPoints(located, bucket_of, static_cast<std::int32_t>(mesh_.cells().size()));
+        return MaterialPoints(located, bucket_of, static_cast<std::int32_t>(mesh_.cells().size()),
+                              settings.materials);
       }()),
-      laws_(std::move(laws)),
+      soils_(std::move(soils)),
       settings_(settings),
       kernels_(transfer_kernels()),
       compute_cell_forces_(cell_force_kernel()) {
@@ -83,7 +73,7 @@ void Model::split_cells() {
     seen += points_.bucket(b).count;
     while (next < split_.size() - 1 &&
            seen * settings_.threads >= points_.size() * static_cast<std::int64_t>(next))
-      split_[next++] = b / material_count + 1;
+      split_[next++] = b / settings_.materials + 1;
   }
 }
 
@@ -102,18 +92,18 @@ void Model::sum_all_points() {
     const auto cell = static_cast<std::int32_t>(c);
     shapes_[c] = mesh_.shape(mesh_.cells()[c]);
     std::memset(&sums_[c], 0, sizeof(CellSums));
-    for (std::int32_t m = 0; m < material_count; ++m) {
-      const Bucket& bucket = points_.bucket(cell * material_count + m);
+    for (std::int32_t m = 0; m < settings_.materials; ++m) {
+      const Bucket& bucket = points_.bucket(cell * settings_.materials + m);
       if (bucket.count == 0) continue;
       const PointFields p = points_.fields(bucket);
       const Batch batch{bucket.padded(), p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,      p.e,
-                        p.p_i,           strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz, p.gamma_p};
-      modulus_[c] = std::max(modulus_[c], laws_.update(static_cast<Material>(m), batch));
+                        p.h_0,           strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz, p.h_1};
+      modulus_[c] = std::max(modulus_[c], soils_[static_cast<std::size_t>(m)]->update(batch));
       for (std::int32_t k = 0; k < bucket.count; ++k) {
         const Location at = mesh_.locate(p.r[k], p.z[k]);
         p.xi[k] = at.xi;
         p.eta[k] = at.eta;
-        add_to_sums(sums_[c], p, static_cast<std::size_t>(k), static_cast<Material>(m));
+        add_to_sums(sums_[c], p, static_cast<std::size_t>(k), m);
       }
       filled_at_start_[c] = 1;
     }
@@ -122,14 +112,15 @@ void Model::sum_all_points() {
 
 void Model::compute_nodal_forces() {
   const auto cells = static_cast<std::int32_t>(sums_.size());
-  const CellForceSettings settings = {
-      settings_.courant,
-      settings_.mass_scaling,
-      settings_.bulk_viscosity,
-      settings_.gravity,
-      {settings_.face_inertia[0], settings_.face_inertia[1], settings_.face_inertia[2]},
-      {settings_.weight_ratio[0], settings_.weight_ratio[1], settings_.weight_ratio[2]},
-      settings_.partial_cells};
+  CellForceSettings settings{};
+  settings.courant = settings_.courant;
+  settings.mass_scaling = settings_.mass_scaling;
+  settings.bulk_viscosity = settings_.bulk_viscosity;
+  settings.gravity = settings_.gravity;
+  settings.materials = settings_.materials;
+  std::copy_n(settings_.face_inertia, most_materials, settings.face_inertia);
+  std::copy_n(settings_.weight_ratio, most_materials, settings.weight_ratio);
+  settings.partial_cells = settings_.partial_cells;
   const CellArrays arrays = {sums_.data(), shapes_.data(), modulus_.data(), divergence_.data(),
                              forces_.data()};
   for_each_index((cells + cells_at_once - 1) / cells_at_once, settings_.threads, [&](std::int32_t block) {
@@ -151,8 +142,8 @@ void Model::compute_nodal_forces() {
 
 // A traction at the soil's top rides on the topmost material points.
 void Model::add_surface_loads(std::int32_t c, CellForces& forces) const {
-  for (std::int32_t m = 0; m < material_count; ++m) {
-    const Bucket& bucket = points_.bucket(c * material_count + m);
+  for (std::int32_t m = 0; m < settings_.materials; ++m) {
+    const Bucket& bucket = points_.bucket(c * settings_.materials + m);
     const PointFields p = points_.fields(bucket);
     for (std::int32_t i = 0; i < bucket.count; ++i) {
       if (p.load[i] == 0.0) continue;
@@ -278,8 +269,8 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
   motion.mean_stress[3] = forces.s_rz;
 
   const StrainScratch strain = scratch(thread);
-  for (std::int32_t m = 0; m < material_count; ++m) {
-    const std::int32_t b = c * material_count + m;
+  for (std::int32_t m = 0; m < settings_.materials; ++m) {
+    const std::int32_t b = c * settings_.materials + m;
     const Bucket& bucket = points_.bucket(b);
     if (bucket.count == 0) continue;
     const PointFields p = points_.fields(bucket);
@@ -288,13 +279,13 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
     motion.smoothing = materials == 1 ? settings_.stress_smoothing[m] : 0.0;
     double work = kernels_.move_points(bucket.count, padded, p, motion, strain);
     // The next cell's points arrive while the law computes.
-    if (b + material_count < points_.bucket_count()) points_.prefetch(points_.bucket(b + material_count));
-    const Batch batch{padded,      p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,    p.e, p.p_i,
-                      strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz, p.gamma_p, dt};
-    modulus_[c] = std::max(modulus_[c], laws_.update(static_cast<Material>(m), batch));
+    const std::int32_t next = b + settings_.materials;
+    if (next < points_.bucket_count()) points_.prefetch(points_.bucket(next));
+    const Batch batch{padded,      p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz, p.e, p.h_0,
+                      strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz, p.h_1,  dt};
+    modulus_[c] = std::max(modulus_[c], soils_[static_cast<std::size_t>(m)]->update(batch));
     bool some_left = false;
-    work += kernels_.sum_points(bucket.count, padded, p, new_shape, cell, strain, static_cast<Material>(m),
-                                sums, some_left);
+    work += kernels_.sum_points(bucket.count, padded, p, new_shape, cell, strain, m, sums, some_left);
     work_[c] += work;
     if (some_left)
       for (std::int32_t k = bucket.count; k-- > 0;)
@@ -311,16 +302,15 @@ void Model::rehome_leavers() {
       const Location at = mesh_.locate(p.r[leaver.slot], p.z[leaver.slot]);
       p.xi[leaver.slot] = at.xi;
       p.eta[leaver.slot] = at.eta;
-      const std::int32_t material = leaver.bucket % material_count;
-      const std::int32_t to = at.cell * material_count + material;
+      const std::int32_t material = leaver.bucket % settings_.materials;
+      const std::int32_t to = at.cell * settings_.materials + material;
       std::int32_t k = leaver.slot;
-      const double modulus = modulus_[leaver.bucket / material_count];
+      const double modulus = modulus_[leaver.bucket / settings_.materials];
       if (to != leaver.bucket) {
         points_.move(leaver.bucket, leaver.slot, to);
         k = points_.bucket(to).count - 1;
       }
-      add_to_sums(sums_[at.cell], points_.fields(points_.bucket(to)), static_cast<std::size_t>(k),
-                  static_cast<Material>(material));
+      add_to_sums(sums_[at.cell], points_.fields(points_.bucket(to)), static_cast<std::size_t>(k), material);
       modulus_[at.cell] = std::max(modulus_[at.cell], modulus);
     }
   make_scratch();

@@ -4,43 +4,35 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "solver/cell_forces.hpp"
-#include "solver/constitutive/linear_elastic.hpp"
-#include "solver/constitutive/norsand.hpp"
-#include "solver/constitutive/tresca.hpp"
-#include "solver/constitutive/varying_tresca.hpp"
 #include "solver/material_points.hpp"
 #include "solver/mesh.hpp"
+#include "solver/soils/law.hpp"
 #include "solver/transfer.hpp"
 
 namespace cpt::solver {
 
-/// The constitutive law of each material.
-struct Laws {
-  std::optional<NorSand> sand;
-  std::optional<Tresca> clay;
-  std::optional<VaryingTresca> varying_clay;  // takes the place of `clay` where it is set
-  std::optional<LinearElastic> surcharge;
-
-  /// Updates a bucket and returns its largest P-wave modulus [Pa].
-  double update(Material material, const Batch& batch) const;
-};
+/// The soils, ready for a run, and the surcharge above them, each at its number; none where no point is of
+/// it.
+using SoilModels = std::vector<std::unique_ptr<const SoilModel>>;
 
 /// Settings of the time integration that the stages need.
 struct ModelSettings {
   double courant = 0.8;
   double mass_scaling = 1.0;
-  double face_inertia[material_count] = {1.0, 1.0, 1.0};  // [-] largest factor on a sheared cell's inertia
+  std::int32_t materials = 1;  // soils and surcharge
+  double face_inertia[most_materials] = {1, 1, 1, 1,
+                                         1, 1, 1, 1};  // [-] largest factor on a sheared cell's inertia
   double pic_fraction = 0.0;
   double local_damping = 0.0;
   double bulk_viscosity = 0.0;
-  double stress_smoothing[material_count] =
+  double stress_smoothing[most_materials] =
       {};  // [-] share of the quadrant's average given back to the points
-  double weight_ratio[material_count] = {1.0, 1.0, 1.0};  // [-] effective over total unit weight
-  double gravity = 9.81;                                  // [m/s2]
+  double weight_ratio[most_materials] = {1, 1, 1, 1, 1, 1, 1, 1};  // [-] effective over total unit weight
+  double gravity = 9.81;                                           // [m/s2]
   bool partial_cells =
       false;  // scale a cell by how far its points fill it (a free soil surface inside the mesh)
   int threads = 1;
@@ -58,8 +50,8 @@ struct Nodes {
 
 class Model {
  public:
-  Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std::int32_t>& material_of, Laws laws,
-        const ModelSettings& settings);
+  Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std::int32_t>& material_of,
+        SoilModels soils, const ModelSettings& settings);
 
   /// Stage 1: stresses and weights to nodal forces; masses and velocities to nodes.
   void compute_nodal_forces();
@@ -119,7 +111,7 @@ class Model {
 
   Mesh mesh_;
   MaterialPoints points_;
-  Laws laws_;
+  SoilModels soils_;
   ModelSettings settings_;
   const TransferKernels& kernels_;
   const CellForceKernel compute_cell_forces_;

@@ -86,20 +86,20 @@ std::vector<std::string> words_of(std::string_view text) {
 }
 
 // The one whose meaning holds all words of the name: of the group, else of all; "" where there are several.
-std::string_view of_this_meaning(std::string_view group, std::string_view part) {
+std::string_view of_this_meaning(std::string_view group, std::string_view part, const Setup& setup) {
   const std::vector<std::string> wanted = words_of(part);
   if (part.size() < 4 || wanted.empty()) return "";
   for (const bool own_group : {true, false}) {
     std::string_view found;
     int count = 0;
-    for (const Quantity& quantity : all_quantities()) {
-      if (own_group && group_of(quantity.name) != group) continue;
-      const std::vector<std::string> meaning = words_of(quantity.meaning);
+    for (const Quantity* quantity : quantities_of(setup)) {
+      if (own_group && group_of(quantity->name) != group) continue;
+      const std::vector<std::string> meaning = words_of(quantity->meaning);
       if (!std::ranges::all_of(wanted, [&](const std::string& word) {
             return std::ranges::find(meaning, word) != meaning.end();
           }))
         continue;
-      found = quantity.name;
+      found = quantity->name;
       ++count;
     }
     if (count == 1) return found;
@@ -109,7 +109,7 @@ std::string_view of_this_meaning(std::string_view group, std::string_view part) 
 }
 
 // The quantity of that name without regard to signs and case, or that the field calls so.
-std::string_view quantity_called(std::string_view name) {
+std::string_view quantity_called(std::string_view name, const Setup& setup) {
   const std::string word = squeezed(last_part(without_unit(name)));
   if (word.empty()) return "";
   std::string_view elsewhere;
@@ -117,10 +117,13 @@ std::string_view quantity_called(std::string_view name) {
     if (elsewhere.empty()) elsewhere = quantity;
     return group_of(quantity) == group_of(name);
   };
-  for (const Quantity& quantity : all_quantities())
-    if (squeezed(last_part(without_unit(quantity.name))) == word && take(quantity.name)) return quantity.name;
+  for (const Quantity* quantity : quantities_of(setup))
+    if (squeezed(last_part(without_unit(quantity->name))) == word && take(quantity->name))
+      return quantity->name;
   for (const Synonym& synonym : quantity_synonyms())
-    if (synonym.word == word && take(synonym.quantity)) return synonym.quantity;
+    if (synonym.word == word)
+      if (const Quantity* quantity = find_quantity(synonym.quantity, setup))
+        if (take(quantity->name)) return quantity->name;
   return elsewhere;
 }
 
@@ -149,17 +152,19 @@ std::string_view if_near(std::string_view name, const Near& found) {
 
 }  // namespace
 
-std::string_view nearest_quantity(std::string_view name) {
+std::string_view nearest_quantity(std::string_view name) { return nearest_quantity(name, Setup{}); }
+
+std::string_view nearest_quantity(std::string_view name, const Setup& setup) {
   constexpr HalfEdits other_case = 1, one_letter = 2;
   if (name.size() > longest) return "";
-  const auto list = all_quantities();
+  const auto list = quantities_of(setup);
   const Near found = nearest(name, list.size(), [&](std::size_t i) {
-    return std::pair(list[i].name, quantity_distance(name, list[i].name));
+    return std::pair(std::string_view(list[i]->name), quantity_distance(name, list[i]->name));
   });
   if (found.edits <= other_case) return found.name;
-  if (const std::string_view called = quantity_called(name); !called.empty()) return called;
+  if (const std::string_view called = quantity_called(name, setup); !called.empty()) return called;
   if (found.edits <= one_letter) return found.name;
-  const std::string_view meant = of_this_meaning(group_of(name), last_part(without_unit(name)));
+  const std::string_view meant = of_this_meaning(group_of(name), last_part(without_unit(name)), setup);
   return meant.empty() ? if_near(name, found) : meant;
 }
 

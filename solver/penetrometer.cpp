@@ -23,28 +23,26 @@ ContactImpulse resolve_contact(const ContactNode& node, double inertia, double v
 }
 
 PenetrometerContact::PenetrometerContact(const Setup& setup) : setup_(setup) {
-  of_material_[static_cast<int>(Material::sand)] = {
-      std::tan(setup.contact.friction_ratio * setup.sand.phi_cs), 0.0};
-  of_material_[static_cast<int>(Material::clay)] = {0.0, setup.contact.adhesion_ratio * setup.clay.s_u};
-  of_material_[static_cast<int>(Material::surcharge)] = {0.0, 0.0};
+  for (const Soil& soil : setup.soils)
+    of_material_.push_back(law_of(soil).contact(soil.parameters, setup.contact));
+  of_material_.emplace_back();
 }
 
 double PenetrometerContact::projected_area() const {
   return std::numbers::pi * setup_.penetrometer.diameter * setup_.penetrometer.diameter / 4.0;
 }
 
-PenetrometerContact::Properties PenetrometerContact::contact_properties(const Model& model,
-                                                                        std::int32_t node) const {
+ContactStrength PenetrometerContact::contact_strength(const Model& model, std::int32_t node) const {
   const NodeCells& around = model.mesh().node_cells()[node];
   double mass = 0.0, friction = 0.0, adhesion = 0.0;
   for (int i = 0; i < 4 && around.cell[i] >= 0; ++i)
-    for (std::int32_t m = 0; m < material_count; ++m) {
+    for (std::size_t m = 0; m < of_material_.size(); ++m) {
       const double share = model.sums()[around.cell[i]].material_mass[m];
       mass += share;
       friction += share * of_material_[m].friction;
       adhesion += share * of_material_[m].adhesion;
     }
-  if (mass <= 0.0) return {0.0, 0.0};
+  if (mass <= 0.0) return {};
   return {friction / mass, adhesion / mass};
 }
 
@@ -88,9 +86,9 @@ PenetrometerLoad PenetrometerContact::apply_contact(Model& model, double dt) con
       contact.n_r = n_r / length;
       contact.n_z = n_z / length;
     }
-    const Properties properties = contact_properties(model, n);
-    contact.friction = properties.friction;
-    contact.adhesion = properties.adhesion;
+    const ContactStrength strength = contact_strength(model, n);
+    contact.friction = strength.friction;
+    contact.adhesion = strength.adhesion;
 
     const ContactImpulse impulse =
         resolve_contact(contact, nodes.inertia[n], nodes.v_r[n], nodes.v_z[n], speed, dt);

@@ -50,13 +50,10 @@ class PenetrometerContact {
   [[nodiscard]] double projected_area() const;  // [m2]
 
  private:
-  struct Properties {
-    double friction, adhesion;
-  };
-  [[nodiscard]] Properties contact_properties(const Model& model, std::int32_t node) const;
+  [[nodiscard]] ContactStrength contact_strength(const Model& model, std::int32_t node) const;
 
   const Setup& setup_;
-  Properties of_material_[material_count];
+  std::vector<ContactStrength> of_material_;  // none for the surcharge
 };
 
 }  // namespace cpt::solver

@@ -8,12 +8,10 @@
 namespace cpt::solver {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-PointState state_of(const PointFields& p, std::int32_t k, Material material) {
-  const bool soil = material != Material::surcharge, sand = material == Material::sand;
+PointState state_of(const PointFields& p, std::int32_t k, std::int32_t material, bool surcharge) {
   return {static_cast<std::int64_t>(p.id[k]),
           material,
+          surcharge,
           p.r[k],
           p.z[k],
           p.v_r[k],
@@ -23,8 +21,9 @@ PointState state_of(const PointFields& p, std::int32_t k, Material material) {
           p.s_tt[k],
           p.s_rz[k],
           2.0 * std::numbers::pi * p.volume[k],
-          soil ? p.e[k] : nothing,
-          sand ? p.p_i[k] : nothing};
+          surcharge ? std::numeric_limits<double>::quiet_NaN() : p.e[k],
+          p.h_0[k],
+          p.h_1[k]};
 }
 
 template <typename Function>
@@ -33,8 +32,7 @@ void for_each_point(const MaterialPoints& points, const Function& function) {
     const Bucket& bucket = points.bucket(b);
     if (bucket.count == 0) continue;
     const PointFields fields = points.fields(bucket);
-    for (std::int32_t k = 0; k < bucket.count; ++k)
-      function(fields, k, static_cast<Material>(b % material_count));
+    for (std::int32_t k = 0; k < bucket.count; ++k) function(fields, k, b % points.materials());
   }
 }
 
@@ -43,8 +41,8 @@ void for_each_point(const MaterialPoints& points, const Function& function) {
 std::vector<PointState> point_states(const MaterialPoints& points) {
   std::vector<PointState> states;
   states.reserve(static_cast<std::size_t>(points.size()));
-  for_each_point(points, [&](const PointFields& fields, std::int32_t k, Material material) {
-    states.push_back(state_of(fields, k, material));
+  for_each_point(points, [&](const PointFields& fields, std::int32_t k, std::int32_t material) {
+    states.push_back(state_of(fields, k, material, material + 1 == points.materials()));
   });
   std::sort(states.begin(), states.end(),
             [](const PointState& a, const PointState& b) { return a.id < b.id; });
@@ -54,9 +52,10 @@ std::vector<PointState> point_states(const MaterialPoints& points) {
 std::vector<PointState> point_states(const MaterialPoints& points, std::span<const std::int64_t> ids) {
   std::unordered_map<std::int64_t, PointState> found;
   for (const std::int64_t id : ids) found.try_emplace(id);
-  for_each_point(points, [&](const PointFields& fields, std::int32_t k, Material material) {
+  for_each_point(points, [&](const PointFields& fields, std::int32_t k, std::int32_t material) {
     const auto place = found.find(static_cast<std::int64_t>(fields.id[k]));
-    if (place != found.end()) place->second = state_of(fields, k, material);
+    if (place != found.end())
+      place->second = state_of(fields, k, material, material + 1 == points.materials());
   });
   std::vector<PointState> states;
   for (const std::int64_t id : ids)

@@ -12,14 +12,15 @@ namespace cpt::solver {
 
 /// A material point at one moment of the push.
 struct PointState {
-  std::int64_t id = -1;  // permanent number, the same in every push of a layout
-  Material material = Material::sand;
+  std::int64_t id = -1;       // permanent number, the same in every push of a layout
+  std::int32_t material = 0;  // number of its soil, after the last the surcharge
+  bool surcharge = false;
   double r = 0.0, z = 0.0;                                // [m] position; z is upward from the soil's top
   double v_r = 0.0, v_z = 0.0;                            // [m/s] velocity
   double s_rr = 0.0, s_zz = 0.0, s_tt = 0.0, s_rz = 0.0;  // [Pa] Cauchy stress, tension-positive
   double volume = 0.0;                                    // [m3] of the whole ring
   double e = 0.0;                                         // [-] void ratio; NaN in the surcharge
-  double p_i = 0.0;                                       // [Pa] image pressure of NorSand; NaN elsewhere
+  double h_0 = 0.0, h_1 = 0.0;                            // state variables of the soil's law
 
   /// Mean stress [Pa], compression-positive.
   [[nodiscard]] double p() const { return -(s_rr + s_zz + s_tt) / 3.0; }

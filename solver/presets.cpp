@@ -13,23 +13,23 @@ void set_profile(Setup& setup, Profile profile) {
   const double bottom = setup.chamber.soil_height;
   switch (profile) {
     case Profile::homogeneous_sand:
-      setup.layers = {{0.0, bottom, Soil::sand}};
-      setup.sand.D_r = 0.36;
+      setup.layers = {{0.0, bottom, default_sand}};
+      as<NorSandParameters>(setup.soils[default_sand]).D_r = 0.36;
       setup.penetrometer.final_depth = 0.53;  // past the window 0.5054 to 0.5255 m
       break;
     case Profile::homogeneous_clay:
-      setup.layers = {{0.0, bottom, Soil::clay}};
+      setup.layers = {{0.0, bottom, default_clay}};
       setup.penetrometer.final_depth = 0.53;
       break;
     case Profile::layered_sand_clay:
       // Layers of 40 mm (Yost et al. 2023, section 5). The depths of the interfaces are not given there; they
       // are inferred from its trough in the first embedded clay (0.2771 m) and peak in the first embedded
       // sand (0.3082 m).
-      setup.layers = {{0.00, 0.23, Soil::sand}, {0.23, 0.27, Soil::clay},  {0.27, 0.31, Soil::sand},
-                      {0.31, 0.35, Soil::clay}, {0.35, 0.39, Soil::sand},  {0.39, 0.43, Soil::clay},
-                      {0.43, 0.47, Soil::sand}, {0.47, 0.51, Soil::clay},  {0.51, 0.55, Soil::sand},
-                      {0.55, 0.59, Soil::clay}, {0.59, bottom, Soil::sand}};
-      setup.sand.D_r = 0.29;
+      setup.layers = {{0.00, 0.23, default_sand}, {0.23, 0.27, default_clay},  {0.27, 0.31, default_sand},
+                      {0.31, 0.35, default_clay}, {0.35, 0.39, default_sand},  {0.39, 0.43, default_clay},
+                      {0.43, 0.47, default_sand}, {0.47, 0.51, default_clay},  {0.51, 0.55, default_sand},
+                      {0.55, 0.59, default_clay}, {0.59, bottom, default_sand}};
+      as<NorSandParameters>(setup.soils[default_sand]).D_r = 0.29;
       setup.penetrometer.final_depth = 0.33;  // past the peak in the first embedded sand
       break;
   }
@@ -75,7 +75,7 @@ Setup make_setup(Profile profile, Preset preset) {
   set_resolution(setup, preset);
   // On the fine mesh steps of 0.95 of the critical one blow clay up within 20 mm; q_c at 0.7 and 0.5 differs
   // by 1e-4.
-  if (preset == Preset::fine && contains(setup, Soil::clay)) setup.numerics.courant = 0.7;
+  if (preset == Preset::fine && contains(setup, default_clay)) setup.numerics.courant = 0.7;
   return setup;
 }
 

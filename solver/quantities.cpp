@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <mutex>
+#include <stdexcept>
 
 #include "solver/mechanisms/catalogue.hpp"
 #include "solver/quantity_builders.hpp"
@@ -24,80 +27,31 @@ Quantity silent(Quantity quantity) {
   return quantity;
 }
 
-constexpr std::string_view table_1 = "Yost et al. (2023), Table 1";
-constexpr std::string_view table_2 = "Yost et al. (2023), Table 2";
-constexpr std::string_view table_3 = "Yost et al. (2023), Table 3";
+bool with_friction(const Law& law) { return law.has_friction(); }
+bool with_adhesion(const Law& law) { return law.has_adhesion(); }
+bool treated_as_sand(const Law& law) { return law.treated_as() == TreatedAs::sand; }
+bool treated_as_clay(const Law& law) { return law.treated_as() == TreatedAs::clay; }
+
 constexpr std::string_view chamber_tests = "Yost et al. (2023), section 3; De Lange (2018)";
 constexpr std::string_view paper_model = "Yost et al. (2023), section 4.1";
-constexpr std::string_view norsand_book = "Jefferies & Been (2015)";
 constexpr std::string_view numerical = "numerical setting";
 
-std::vector<Quantity> sand_quantities() {
-  constexpr auto group = &Setup::sand;
-  auto flow = choice<group, &Sand::flow>("sand.flow", "flow rule", {"radial", "associated"}, sand_only,
-                                         "direction of deviatoric plastic flow", norsand_book);
-  return {
-      number<group, &Sand::e_cs0>("sand.e_cs0", "e_cs,0", none, 0.5, 1.5, sand_only,
-                                  "critical state void ratio at p' = 0", table_2),
-      number<group, &Sand::lambda>("sand.lambda", "λ", none, 0.001, 0.1, sand_only,
-                                   "slope of the critical state line", table_2),
-      number<group, &Sand::m>("sand.m", "m", none, 0.2, 1.5, sand_only, "exponent of the critical state line",
-                              table_2),
-      number<group, &Sand::G_ref>("sand.G_ref", "G_ref", none, 50.0, 5000.0, sand_only,
-                                  "shear modulus factor", table_2),
-      number<group, &Sand::b>("sand.b", "b", none, 0.0, 1.0, sand_only, "exponent of the stiffness relation",
-                              table_2),
-      number<group, &Sand::e_min_star>("sand.e_min_star", "e*ₘᵢₙ", none, 0.0, 0.5, sand_only,
-                                       "void ratio at which volumetric strains are negligible", table_2),
-      number<group, &Sand::phi_cs>("sand.phi_cs_deg", "φ_cs", degrees, 20.0, 45.0, sand_only,
-                                   "critical state friction angle", table_2),
-      number<group, &Sand::N>("sand.N", "N", none, 0.0, 0.6, sand_only,
-                              "dilatancy (volumetric coupling) parameter", table_2),
-      number<group, &Sand::chi_tc>("sand.chi_tc", "χ", none, 0.5, 8.0, sand_only,
-                                   "dilatancy coefficient in triaxial compression", table_2),
-      number<group, &Sand::nu>("sand.nu", "ν", none, 0.0, 0.45, sand_only, "Poisson's ratio of the sand",
-                               table_2),
-      number<group, &Sand::H>("sand.H", "H", none, 1.0, 2000.0, sand_only, "hardening modulus", table_2),
-      number<group, &Sand::D_r>("sand.D_r_percent", "Dᵣ", percent, 1.0, 100.0, sand_only, "relative density",
-                                "Yost et al. (2023), sections 3.3 and 5"),
-      number<group, &Sand::e_min>("sand.e_min", "eₘᵢₙ", none, 0.2, 1.2, sand_only, "minimum void ratio",
-                                  table_1),
-      number<group, &Sand::e_max>("sand.e_max", "eₘₐₓ", none, 0.3, 2.0, sand_only, "maximum void ratio",
-                                  table_1),
-      number<group, &Sand::rho_grains>("sand.rho_grains_kg_per_m3", "ρₛ", kilograms_per_cubic_metre, 2000.0,
-                                       3500.0, sand_only, "density of the sand's grains", table_1),
-      number<group, &Sand::OCR>("sand.OCR", "OCR", none, 1.0, 20.0, sand_only,
-                                "initial p_i over that of the yield surface through the initial stress",
-                                norsand_book),
-      number<group, &Sand::cap_ratio>("sand.cap_ratio", "cap", none, 1.0, 10.0, sand_only,
-                                      "inner cap: largest p_i over its limit at maximum dilatancy",
-                                      norsand_book),
-      number<group, &Sand::hardening_exponent>("sand.hardening_exponent", "n_H", none, 0.0, 2.0, sand_only,
-                                               "exponent of p / p_i in the hardening rule", norsand_book),
-      number<group, &Sand::p_min>("sand.p_min_kPa", "pₘᵢₙ", kilopascals, 0.01, 5.0, sand_only,
-                                  "mean stress below which the sand carries none", numerical),
-      std::move(flow),
-      number<group, &Sand::substep_tolerance>(
-          "sand.substep_tolerance", "tol", none, 1.0e-9, 1.0e-2, sand_only,
-          "relative error of stress and p_i allowed in one sub-step", numerical),
-  };
-}
-
-std::vector<Quantity> clay_quantities() {
-  constexpr auto group = &Setup::clay;
-  return {
-      number<group, &Clay::n_0>("clay.n_0", "n₀", none, 0.1, 0.8, clay_only, "initial porosity of the clay",
-                                table_3),
-      number<group, &Clay::s_u>("clay.s_u_kPa", "sᵤ", kilopascals, 1.0, 1000.0, clay_only,
-                                "undrained shear strength", table_3),
-      number<group, &Clay::G>("clay.G_kPa", "G", kilopascals, 10.0, 1.0e5, clay_only,
-                              "shear modulus of the clay", table_3),
-      number<group, &Clay::nu>("clay.nu", "νᵤ", none, 0.3, 0.4999, clay_only,
-                               "undrained Poisson's ratio of the clay", "Yost et al. (2023), section 4.3"),
-      number<group, &Clay::rho_grains>("clay.rho_grains_kg_per_m3", "ρₛ,clay", kilograms_per_cubic_metre,
-                                       2000.0, 3500.0, clay_only, "density of the clay's grains",
-                                       "typical of clay minerals; not given by Yost et al. (2023)"),
-  };
+// The law's parameters as inputs of a setup with a soil of that name.
+std::vector<Quantity> soil_quantities(const std::string& soil, const Law& law) {
+  std::vector<Quantity> list;
+  for (const LawQuantity& parameter : law.quantities()) {
+    const auto parameters_in = [soil](auto& setup) -> auto& {
+      for (auto& candidate : setup.soils)
+        if (candidate.name == soil) return candidate.parameters;
+      throw std::logic_error("the setup has no soil " + soil);
+    };
+    list.push_back({soil + "." + std::string(parameter.name), std::string(parameter.symbol), parameter.unit,
+                    parameter.scale, parameter.min, parameter.max, parameter.choices, false, soil, nullptr,
+                    parameter.meaning, parameter.source,
+                    [=](const Setup& setup) { return parameter.get(parameters_in(setup)); },
+                    [=](Setup& setup, double value) { parameter.set(parameters_in(setup), value); }});
+  }
+  return list;
 }
 
 std::vector<Quantity> boundary_quantities() {
@@ -110,11 +64,11 @@ std::vector<Quantity> boundary_quantities() {
   soil_height.set = set_soil_height;
   return {
       number<contact, &Contact::friction_ratio>(
-          "contact.friction_ratio", "φ_cont/φ_cs", none, 0.0, 1.0, sand_only,
+          "contact.friction_ratio", "φ_cont/φ_cs", none, 0.0, 1.0, with_friction,
           "contact friction angle of cone and sand over phi_cs",
           "Yost et al. (2023), section 4.4; Durgunoglu & Mitchell (1973)"),
-      number<contact, &Contact::adhesion_ratio>("contact.adhesion_ratio", "a/sᵤ", none, 0.0, 1.0, clay_only,
-                                                "contact adhesion of cone and clay over s_u",
+      number<contact, &Contact::adhesion_ratio>("contact.adhesion_ratio", "a/sᵤ", none, 0.0, 1.0,
+                                                with_adhesion, "contact adhesion of cone and clay over s_u",
                                                 "Yost et al. (2023), section 4.4; Potyondy (1961)"),
       choice<contact, &Contact::shoulder_normal>(
           "contact.shoulder_normal", "shoulder normal", {"shaft", "bisector", "face"}, any_soil,
@@ -205,10 +159,10 @@ std::vector<Quantity> numerics_quantities() {
       number<group, &Numerics::mass_scaling>("numerics.mass_scaling", "f_mass", none, 1.0, 1.0e6, any_soil,
                                              "factor on the inertia, not on the weight", paper_model),
       number<group, &Numerics::face_inertia_sand>(
-          "numerics.face_inertia_sand", "f_face,sand", none, 1.0, 16.0, Soil::sand,
+          "numerics.face_inertia_sand", "f_face,sand", none, 1.0, 16.0, treated_as_sand,
           "largest factor on the inertia of the sheared cells under the cone's face, sand", numerical),
       number<group, &Numerics::face_inertia_clay>(
-          "numerics.face_inertia_clay", "f_face,clay", none, 1.0, 16.0, Soil::clay,
+          "numerics.face_inertia_clay", "f_face,clay", none, 1.0, 16.0, treated_as_clay,
           "largest factor on the inertia of the sheared cells under the cone's face, clay", numerical),
       number<group, &Numerics::pic_fraction>("numerics.pic_fraction", "PIC", none, 0.0, 1.0, any_soil,
                                              "share of PIC in the velocity update; 0 is FLIP", numerical),
@@ -221,7 +175,7 @@ std::vector<Quantity> numerics_quantities() {
           "share of the quadrant's average stress given back to its points, clay and surcharge layer",
           numerical),
       number<group, &Numerics::stress_smoothing_sand>(
-          "numerics.stress_smoothing_sand", "β_sand", none, 0.0, 1.0, Soil::sand,
+          "numerics.stress_smoothing_sand", "β_sand", none, 0.0, 1.0, treated_as_sand,
           "share of the quadrant's average stress given back to its points, sand", numerical),
       number<group, &Numerics::bin_height>("numerics.bin_height_m", "Δz_bin", metres, 1.0e-5, 0.05, any_soil,
                                            "depth over which q_c and f_s are averaged in the recording",
@@ -229,10 +183,10 @@ std::vector<Quantity> numerics_quantities() {
   };
 }
 
-std::vector<Quantity> make_list() {
+// All but the soils'.
+std::vector<Quantity> other_quantities() {
   std::vector<Quantity> list;
-  for (auto part :
-       {sand_quantities, clay_quantities, boundary_quantities, penetrometer_quantities, numerics_quantities})
+  for (auto part : {boundary_quantities, penetrometer_quantities, numerics_quantities})
     for (Quantity& quantity : part()) list.push_back(std::move(quantity));
   // A mechanism that is off leaves no trace: results stay valid when the catalogue grows.
   for (const Mechanism& mechanism : all_mechanisms())
@@ -241,17 +195,92 @@ std::vector<Quantity> make_list() {
   return list;
 }
 
+const Setup& default_setup() {
+  static const Setup defaults;
+  return defaults;
+}
+
+bool same_kind(const Soil& a, const Soil& b) { return a.name == b.name && &law_of(a) == &law_of(b); }
+
+// The defaults' soils first, then the others.
+struct Lists {
+  std::vector<Quantity> defaults;
+  std::size_t others;  // where these begin
+};
+
+const Lists& lists() {
+  static const Lists made = [] {
+    Lists lists;
+    for (const Soil& soil : default_setup().soils)
+      for (Quantity& quantity : soil_quantities(soil.name, law_of(soil)))
+        lists.defaults.push_back(std::move(quantity));
+    lists.others = lists.defaults.size();
+    for (Quantity& quantity : other_quantities()) lists.defaults.push_back(std::move(quantity));
+    return lists;
+  }();
+  return made;
+}
+
+// The quantities of one soil, made once for its name and law.
+std::span<const Quantity> quantities_of(const Soil& soil) {
+  const std::span<const Quantity> defaults = all_quantities();
+  std::size_t first = 0;
+  for (const Soil& known : default_setup().soils) {
+    const std::size_t count = law_of(known).quantities().size();
+    if (same_kind(known, soil)) return defaults.subspan(first, count);
+    first += count;
+  }
+  static std::mutex guard;
+  static std::map<std::pair<std::string, const Law*>, std::vector<Quantity>> made;
+  const std::lock_guard lock(guard);
+  const auto [place, is_new] = made.try_emplace({soil.name, &law_of(soil)});
+  if (is_new) place->second = soil_quantities(soil.name, law_of(soil));
+  return place->second;
+}
+
+bool default_soils(const Setup& setup) {
+  return std::ranges::equal(setup.soils, default_setup().soils, same_kind);
+}
+
 }  // namespace
 
-std::span<const Quantity> all_quantities() {
-  static const std::vector<Quantity> list = make_list();
+std::span<const Quantity> all_quantities() { return lists().defaults; }
+
+std::vector<const Quantity*> quantities_of(const Setup& setup) {
+  std::vector<const Quantity*> list;
+  for (const Soil& soil : setup.soils)
+    for (const Quantity& quantity : quantities_of(soil)) list.push_back(&quantity);
+  for (const Quantity& quantity : all_quantities().subspan(lists().others)) list.push_back(&quantity);
   return list;
 }
 
-const Quantity* find_quantity(std::string_view name) {
-  for (const Quantity& quantity : all_quantities())
-    if (quantity.name == name) return &quantity;
+const Quantity* find_quantity(std::string_view name) { return find_quantity(name, default_setup()); }
+
+const Quantity* find_quantity(std::string_view name, const Setup& setup) {
+  for (const Quantity* quantity : quantities_of(setup))
+    if (quantity->name == name) return quantity;
   return nullptr;
+}
+
+bool matters(const Quantity& quantity, const Setup& setup) {
+  if (quantity.soil.empty() && quantity.acts_on == nullptr) return true;
+  return std::ranges::any_of(setup.layers, [&](const Layer& layer) {
+    const Soil& soil = setup.soils[layer.soil];
+    return quantity.acts_on != nullptr ? quantity.acts_on(law_of(soil)) : soil.name == quantity.soil;
+  });
+}
+
+std::string acts_on_text(const Quantity& quantity) {
+  if (!quantity.soil.empty() || quantity.acts_on == nullptr) return quantity.soil;
+  std::string titles;
+  for (const Law* law : all_laws())
+    if (quantity.acts_on(*law)) titles += (titles.empty() ? "" : ", ") + std::string(law->title());
+  return titles;
+}
+
+std::string given(const Setup& setup, std::string_view name) {
+  const Quantity& quantity = *find_quantity(name, setup);
+  return fmt::format("{} = {}", name, quantity.format(quantity.value(setup)));
 }
 
 double Quantity::value(const Setup& setup) const {
@@ -277,20 +306,22 @@ std::string Quantity::format(double study_value) const {
 }
 
 std::string canonical_text(const Setup& setup) {
-  static const Setup defaults;
+  const Setup& defaults = default_setup();
   std::string text;
-  for (const Quantity& quantity : all_quantities()) {
-    if (quantity.silent_default && quantity.get(setup) == quantity.get(defaults)) continue;
-    const double value = quantity.value(setup);
-    text += fmt::format("{} = {}", quantity.name, quantity.format(value));
-    const double si = quantity.get(setup);
-    if (value * quantity.scale != si)
+  if (!default_soils(setup))
+    for (const Soil& soil : setup.soils)
+      text += fmt::format("soils = {} {}\n", soil.name, law_of(soil).name());
+  for (const Quantity* quantity : quantities_of(setup)) {
+    if (quantity->silent_default && quantity->get(setup) == quantity->get(defaults)) continue;
+    const double value = quantity->value(setup);
+    text += fmt::format("{} = {}", quantity->name, quantity->format(value));
+    const double si = quantity->get(setup);
+    if (value * quantity->scale != si)
       text += fmt::format(" (SI {})", si);  // no study value is exactly this one
     text += '\n';
   }
   for (const Layer& layer : setup.layers)
-    text += fmt::format("layers = {} to {} {}\n", layer.top, layer.bottom,
-                        layer.soil == Soil::sand ? "sand" : "clay");
+    text += fmt::format("layers = {} to {} {}\n", layer.top, layer.bottom, setup.soils[layer.soil].name);
   for (const PointZone& zone : setup.numerics.zones)
     text += fmt::format("numerics.zones = to {} columns {} rows_per_metre {}\n", zone.outer_radius,
                         zone.columns, zone.rows_per_metre);

@@ -4,64 +4,30 @@
 // Depth is measured from the soil's top, downward. Angles are radians, D_r is a fraction.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "solver/mechanisms/mechanisms.hpp"
+#include "solver/soils/soil.hpp"
 
 namespace cpt::solver {
 
-enum class Soil : std::uint8_t { sand, clay };                ///< NorSand, Tresca
 enum class Wall : std::uint8_t { flexible, rigid };           ///< radial boundary of the chamber
 enum class SurchargeKind : std::uint8_t { traction, layer };  ///< how sigma_v0 is applied at the soil's top
-enum class DeviatoricFlow : std::uint8_t { radial, associated };
 enum class ShoulderNormal : std::uint8_t { shaft, bisector, face };
 enum class SelfWeight : std::uint8_t { none, submerged, saturated };
 
 /// One soil layer; layers are listed from the top and touch without gaps.
 struct Layer {
-  double top;     // [m] depth of the upper interface
-  double bottom;  // [m] depth of the lower interface
-  Soil soil;
-};
-
-/// NorSand with the exponential critical state line; baseline of Yost et al. (2023), Table 2.
-struct Sand {
-  double e_cs0 = 0.90;                  // [-] critical state void ratio at p' = 0
-  double lambda = 0.012;                // [-] slope of the critical state line
-  double m = 0.7;                       // [-] exponent of the critical state line
-  double G_ref = 743.0;                 // [-] shear modulus factor
-  double b = 0.57;                      // [-] exponent of the stiffness relation
-  double e_min_star = 0.051;            // [-] void ratio at which volumetric strains are negligible
-  double phi_cs = 0.52359877559829887;  // [rad] critical state friction angle (30 deg)
-  double N = 0.1;                       // [-] dilatancy (volumetric coupling) parameter
-  double chi_tc = 2.7;                  // [-] dilatancy coefficient in triaxial compression
-  double nu = 0.2;                      // [-] Poisson's ratio
-  double H = 25.0;                      // [-] hardening modulus
-  double D_r = 0.36;                    // [-] relative density
-  double e_min = 0.552;                 // [-] minimum void ratio
-  double e_max = 0.890;                 // [-] maximum void ratio
-  double rho_grains = 2650.0;           // [kg/m3] density of the grains
-  double OCR = 1.0;        // [-] scales the initial p_i from the yield surface through the initial stress
-  double cap_ratio = 1.3;  // [-] inner cap: p_i <= cap_ratio * p_mx
-  double hardening_exponent = 2.0;  // [-] exponent of (p/p_i) in the hardening rule
-  double p_min = 500.0;             // [Pa] below this mean stress the sand carries none
-  DeviatoricFlow flow = DeviatoricFlow::associated;
-  double substep_tolerance = 1e-3;  // [-] relative error of stress and p_i allowed in one sub-step
-};
-
-/// Tresca; baseline of Yost et al. (2023), Table 3.
-struct Clay {
-  double n_0 = 0.362;          // [-] initial porosity
-  double s_u = 27.9e3;         // [Pa] undrained shear strength
-  double G = 552.0e3;          // [Pa] shear modulus
-  double nu = 0.4995;          // [-] undrained Poisson's ratio
-  double rho_grains = 2700.0;  // [kg/m3] density of the grains
+  double top;        // [m] depth of the upper interface
+  double bottom;     // [m] depth of the lower interface
+  std::size_t soil;  // index into Setup::soils
 };
 
 struct Contact {
-  double friction_ratio = 0.5;  // [-] contact friction angle over phi_cs (sand)
-  double adhesion_ratio = 0.5;  // [-] contact adhesion over s_u (clay)
+  double friction_ratio = 0.5;  // [-] contact friction angle over the soil's
+  double adhesion_ratio = 0.5;  // [-] contact adhesion over the soil's strength without friction
   ShoulderNormal shoulder_normal = ShoulderNormal::bisector;
 };
 
@@ -130,9 +96,8 @@ struct Numerics {
 };
 
 struct Setup {
-  std::vector<Layer> layers = {{0.0, 1.0, Soil::sand}};
-  Sand sand;
-  Clay clay;
+  std::vector<Soil> soils = {{"sand", NorSandParameters{}}, {"clay", TrescaParameters{}}};
+  std::vector<Layer> layers = {{0.0, 1.0, default_sand}};
   Contact contact;
   Chamber chamber;
   InitialStress initial;
@@ -142,7 +107,7 @@ struct Setup {
 };
 
 /// True where some layer is of that soil.
-[[nodiscard]] inline bool contains(const Setup& setup, Soil soil) {
+[[nodiscard]] inline bool contains(const Setup& setup, std::size_t soil) {
   for (const Layer& layer : setup.layers)
     if (layer.soil == soil) return true;
   return false;

@@ -3,41 +3,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "solver/actual_setup.hpp"
-#include "solver/constitutive/critical_state_line.hpp"
-#include "solver/constitutive/norsand.hpp"
-#include "solver/initial_state.hpp"
 #include "solver/lengths.hpp"
 #include "solver/made_layers.hpp"
+#include "solver/material_points.hpp"
 #include "solver/quantities.hpp"
 #include "solver/refinement.hpp"
+#include "solver/soils/law.hpp"
 
 namespace cpt::solver {
 namespace {
 
 constexpr double touching = 1.0e-9;        // [m] interfaces closer than this are the same
+constexpr std::string_view sigma_h0 = "initial.sigma_h0_kPa";
 constexpr int max_zone_columns = 5000;     // [-]
 constexpr double max_zone_rows = 20000.0;  // [1/m]
-
-// "; initial.sigma_h0_kPa may be 13.2 to 211", rounded inwards to tenths.
-std::string range_of_sigma_h(double least, double most) {
-  least = std::ceil(least * 1e-2 - 1e-6) / 10.0;
-  most = std::floor(most * 1e-2 + 1e-6) / 10.0;
-  return least <= most ? fmt::format("; initial.sigma_h0_kPa may be {:g} to {:g}", least, most) : "";
-}
 
 class Check {
  public:
   explicit Check(const Setup& setup) : setup_(setup) {}
 
   std::vector<Problem> run() {
+    soils();
+    if (!problems_.empty()) return problems_;
     values();
     if (!problems_.empty()) return problems_;  // the rest is meaningless with values out of range
     layers();
     const bool sound_layers = problems_.empty();
-    if (contains(setup_, Soil::sand)) sand();
-    if (contains(setup_, Soil::clay) && sound_layers) clay();
+    laws(sound_layers);
     geometry();
     if (!zones()) return problems_;
     const std::size_t before = problems_.size();
@@ -51,20 +47,14 @@ class Check {
     problems_.push_back({std::string(quantity), std::move(message)});
   }
 
-  // "sand.e_min = 0.552"
-  [[nodiscard]] std::string given(std::string_view name) const {
-    const Quantity* quantity = find_quantity(name);
-    return fmt::format("{} = {}", name, quantity->format(quantity->value(setup_)));
-  }
+  [[nodiscard]] std::string given(std::string_view name) const { return solver::given(setup_, name); }
 
   void values();
   void layers();
-  void sand();
-  [[nodiscard]] bool bears(double sigma_h) const;
-  [[nodiscard]] std::string range_of_sand() const;
-  void clay();
-  [[nodiscard]] std::string range_of_clay() const;
-  bool wall_shear(const Layer& layer, double K_0);
+  void soils();
+  void laws(bool sound_layers);
+  [[nodiscard]] bool bears(double sigma_h, bool sound_layers) const;
+  [[nodiscard]] std::string range_of_sigma_h(bool sound_layers) const;
   void geometry();
   bool zones();
   void cells();
@@ -79,11 +69,11 @@ class Check {
 };
 
 void Check::values() {
-  for (const Quantity& quantity : all_quantities()) {
-    const double value = quantity.value(setup_);
-    if (value >= quantity.min && value <= quantity.max) continue;
-    add(quantity.name, fmt::format("{} is outside {} to {} {}", given(quantity.name), quantity.min,
-                                   quantity.max, quantity.unit));
+  for (const Quantity* quantity : quantities_of(setup_)) {
+    const double value = quantity->value(setup_);
+    if (value >= quantity->min && value <= quantity->max) continue;
+    add(quantity->name, fmt::format("{} is outside {} to {} {}", given(quantity->name), quantity->min,
+                                    quantity->max, quantity->unit));
   }
 }
 
@@ -106,112 +96,53 @@ void Check::layers() {
     add("layers", fmt::format("the layers end at {} m, but {}", reached, given("chamber.soil_height_m")));
 }
 
-void Check::sand() {
-  const Sand& sand = setup_.sand;
-  if (sand.e_min >= sand.e_max)
-    return add("sand.e_min", fmt::format("{} must be below {}", given("sand.e_min"), given("sand.e_max")));
-  const double e = bulk(setup_, Soil::sand).e;
-  if (e <= sand.e_min_star)
-    return add("sand.e_min_star", fmt::format("{} must be below the initial void ratio {:.4f} at {}",
-                                              given("sand.e_min_star"), e, given("sand.D_r_percent")));
-
-  const double sigma_v = setup_.initial.sigma_v0, sigma_h = setup_.initial.sigma_h0;
-  const double p = (sigma_v + 2.0 * sigma_h) / 3.0;
-  if (p <= sand.p_min)
-    return add("sand.p_min_kPa",
-               fmt::format("{} must be below the initial mean stress {:.4g} kPa of {} and {}",
-                           given("sand.p_min_kPa"), p / 1e3, given("initial.sigma_v0_kPa"),
-                           given("initial.sigma_h0_kPa")));
-  const double e_c = CriticalStateLine(sand).void_ratio(p);
-  if (e_c <= sand.e_min_star)
-    return add("sand.e_cs0",
-               fmt::format("the critical state void ratio at the initial stress is {:.4f} with {}, {} and "
-                           "{}: it must exceed {}",
-                           e_c, given("sand.e_cs0"), given("sand.lambda"), given("sand.m"),
-                           given("sand.e_min_star")));
-
-  // NorSand's largest image pressure at this density bounds the stress ratio, Jefferies & Been (2015).
-  const NorSand law(sand);
-  const double p_i = law.initial_image_pressure(-sigma_h, -sigma_v, -sigma_h, 0.0, e) / sand.OCR;
-  const NorSandState state = law.evaluate({-sigma_h, -sigma_v, -sigma_h, 0.0}, e, p_i);
-  if (!(p_i < state.p_mx))
-    add("initial.sigma_h0_kPa",
-        fmt::format(
-            "{} and {} (K_0 = {:.3g}) make a stress ratio q/p' of {:.3g}, but this sand bears at most {:.3g} "
-            "(state parameter {:+.3f} at {}, {}, {}){}",
-            given("initial.sigma_h0_kPa"), given("initial.sigma_v0_kPa"), sigma_h / sigma_v,
-            state.q / state.p, std::max(0.0, state.M_i * (1.0 + std::log(state.p_mx / state.p))), state.psi,
-            given("sand.D_r_percent"), given("sand.phi_cs_deg"), given("sand.chi_tc"), range_of_sand()));
+// Named once, of a known law, and few enough for a cell's sums.
+void Check::soils() {
+  constexpr std::size_t most = most_materials - 1;  // the surcharge is one too
+  if (setup_.soils.size() > most)
+    return add("soils", fmt::format("{} soils are more than the {} that a cell has room for",
+                                    setup_.soils.size(), most));
+  for (std::size_t k = 0; k < setup_.soils.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (setup_.soils[j].name == setup_.soils[k].name)
+        return add("soils", fmt::format("two soils are called {}", setup_.soils[k].name));
+  for (const Layer& layer : setup_.layers)
+    if (layer.soil >= setup_.soils.size()) return add("soils", "a layer has no soil");
 }
 
-// Whether NorSand can start from the vertical stress and this horizontal one.
-bool Check::bears(double sigma_h) const {
-  const double sigma_v = setup_.initial.sigma_v0, e = bulk(setup_, Soil::sand).e;
-  if ((sigma_v + 2.0 * sigma_h) / 3.0 <= setup_.sand.p_min) return false;
-  const NorSand law(setup_.sand);
-  const double p_i = law.initial_image_pressure(-sigma_h, -sigma_v, -sigma_h, 0.0, e) / setup_.sand.OCR;
-  return p_i < law.evaluate({-sigma_h, -sigma_v, -sigma_h, 0.0}, e, p_i).p_mx;
+// What each law says of those that the layers have.
+void Check::laws(bool sound_layers) {
+  for (std::size_t k = 0; k < setup_.soils.size(); ++k)
+    if (contains(setup_, k))
+      for (Problem& problem : law_of(setup_.soils[k]).problems(setup_, k, sound_layers)) {
+        if (problem.quantity == sigma_h0) problem.message += range_of_sigma_h(sound_layers);
+        problems_.push_back(std::move(problem));
+      }
 }
 
-// "; initial.sigma_h0_kPa may be 13 to 210", sought on both sides of equal stresses, which any sand bears.
-std::string Check::range_of_sand() const {
+// Whether all soils can start from the vertical stress and this horizontal one.
+bool Check::bears(double sigma_h, bool sound_layers) const {
+  Setup other = setup_;
+  other.initial.sigma_h0 = sigma_h;
+  for (std::size_t k = 0; k < other.soils.size(); ++k)
+    if (contains(other, k) && !law_of(other.soils[k]).problems(other, k, sound_layers).empty()) return false;
+  return true;
+}
+
+// "; initial.sigma_h0_kPa may be 13.2 to 211", sought on both sides of equal stresses and rounded inwards to tenths.
+std::string Check::range_of_sigma_h(bool sound_layers) const {
   const auto limit = [&](double beyond) {
     double borne = setup_.initial.sigma_v0;
-    if (bears(beyond)) return beyond;
-    for (int i = 0; i < 40; ++i) (bears(0.5 * (borne + beyond)) ? borne : beyond) = 0.5 * (borne + beyond);
+    if (bears(beyond, sound_layers)) return beyond;
+    for (int i = 0; i < 40; ++i)
+      (bears(0.5 * (borne + beyond), sound_layers) ? borne : beyond) = 0.5 * (borne + beyond);
     return borne;
   };
-  const Quantity& sigma_h = *find_quantity("initial.sigma_h0_kPa");
-  return bears(setup_.initial.sigma_v0) ? range_of_sigma_h(limit(sigma_h.min * 1e3), limit(sigma_h.max * 1e3))
-                                        : "";
-}
-
-void Check::clay() {
-  const double K_0 = setup_.initial.sigma_h0 / setup_.initial.sigma_v0;
-  for (const Layer& layer : setup_.layers) {
-    if (layer.soil != Soil::clay) continue;
-    const double q = std::abs(1.0 - K_0) * vertical_stress(setup_, -layer.bottom);
-    if (q <= 2.0 * setup_.clay.s_u) {
-      if (!wall_shear(layer, K_0)) return;
-      continue;
-    }
-    add("initial.sigma_h0_kPa", fmt::format("{} and {} (K_0 = {:.3g}) make a stress difference of {:.3g} kPa "
-                                            "at {} m, but Tresca bears at most "
-                                            "2 s_u, and {}{}",
-                                            given("initial.sigma_h0_kPa"), given("initial.sigma_v0_kPa"), K_0,
-                                            q / 1e3, layer.bottom, given("clay.s_u_kPa"), range_of_clay()));
-    return;
-  }
-}
-
-// Of all clay layers. None is told where the wall's friction narrows it.
-std::string Check::range_of_clay() const {
-  if (setup_.mechanisms.wall_friction.coefficient > 0.0) return "";
-  double largest = 0.0;
-  for (const Layer& layer : setup_.layers)
-    if (layer.soil == Soil::clay) largest = std::max(largest, vertical_stress(setup_, -layer.bottom));
-  const double away = 2.0 * setup_.clay.s_u / largest, sigma_v = setup_.initial.sigma_v0;
-  const Quantity& sigma_h = *find_quantity("initial.sigma_h0_kPa");
-  return range_of_sigma_h(std::max(sigma_h.min * 1e3, sigma_v * (1.0 - away)),
-                          std::min(sigma_h.max * 1e3, sigma_v * (1.0 + away)));
-}
-
-// At the wall its friction comes on top of the stress difference.
-bool Check::wall_shear(const Layer& layer, double K_0) {
-  const double coefficient = setup_.mechanisms.wall_friction.coefficient;
-  for (const double depth : {layer.top, layer.bottom}) {
-    const double sigma_v = vertical_stress(setup_, -depth);
-    const double shear = coefficient * K_0 * sigma_v;
-    const double largest = std::hypot(0.5 * (1.0 - K_0) * sigma_v, shear);
-    if (largest <= setup_.clay.s_u) continue;
-    add("wall_friction.coefficient",
-        fmt::format("{} makes a shear stress of {:.3g} kPa at the wall at {} m, with that of K_0 = {:.3g} "
-                    "{:.3g} kPa, but Tresca bears at most s_u, and {}",
-                    given("wall_friction.coefficient"), shear / 1e3, depth, K_0, largest / 1e3,
-                    given("clay.s_u_kPa")));
-    return false;
-  }
-  return true;
+  if (!bears(setup_.initial.sigma_v0, sound_layers)) return "";
+  const Quantity& quantity = *find_quantity(sigma_h0);
+  const double least = std::ceil(limit(quantity.min * 1e3) * 1e-2 - 1e-6) / 10.0;
+  const double most = std::floor(limit(quantity.max * 1e3) * 1e-2 + 1e-6) / 10.0;
+  return least <= most ? fmt::format("; {} may be {:g} to {:g}", sigma_h0, least, most) : "";
 }
 
 void Check::geometry() {
@@ -288,7 +219,7 @@ void Check::made() {
   for (std::size_t k = 0; k < layers.size() && zones > 0; ++k) {
     const auto first = all.begin() + static_cast<std::ptrdiff_t>(k * zones);
     const std::string why = not_made(setup_, {first, first + static_cast<std::ptrdiff_t>(zones)},
-                                     layers[k].soil == Soil::sand ? "the sand" : "the clay");
+                                     "the " + setup_.soils[layers[k].soil].name);
     if (why.empty()) continue;
     add(shifted ? "layer_shift.shift_mm" : "layers",
         shifted ? fmt::format("with {}, {}", given("layer_shift.shift_mm"), why) : why);

@@ -18,6 +18,7 @@
 #include "solver/penetrometer.hpp"
 #include "solver/quantities.hpp"
 #include "solver/recorder.hpp"
+#include "solver/soils/elastic.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -31,31 +32,33 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-Laws make_laws(const Setup& setup) {
-  Laws laws;
-  const Mechanisms& mechanisms = setup.mechanisms;
-  if (contains(setup, Soil::sand)) laws.sand.emplace(setup.sand, mechanisms.grain_crushing);
-  if (contains(setup, Soil::clay)) laws.clay.emplace(setup.clay);
-  if (strength_varies(mechanisms))
-    laws.varying_clay.emplace(setup.clay, mechanisms.strain_softening, mechanisms.rate_dependence);
-  laws.surcharge.emplace(setup.chamber.surcharge_E, setup.chamber.surcharge_nu);
-  return laws;
+SoilModels make_soils(const Setup& setup) {
+  SoilModels soils;
+  for (std::size_t k = 0; k < setup.soils.size(); ++k) {
+    const Soil& soil = setup.soils[k];
+    soils.push_back(contains(setup, k) ? law_of(soil).model(soil.parameters, setup.mechanisms) : nullptr);
+  }
+  soils.push_back(elastic_soil(setup.chamber.surcharge_E, setup.chamber.surcharge_nu));
+  return soils;
 }
 
 ModelSettings make_settings(const Setup& setup, int threads) {
   ModelSettings s;
-  s.courant = setup.numerics.courant;
-  s.mass_scaling = setup.numerics.mass_scaling;
-  s.face_inertia[static_cast<int>(Material::sand)] = setup.numerics.face_inertia_sand;
-  s.face_inertia[static_cast<int>(Material::clay)] = setup.numerics.face_inertia_clay;
-  s.pic_fraction = setup.numerics.pic_fraction;
-  s.local_damping = setup.numerics.local_damping;
-  s.bulk_viscosity = setup.numerics.bulk_viscosity;
-  s.stress_smoothing[static_cast<int>(Material::sand)] = setup.numerics.stress_smoothing_sand;
-  s.stress_smoothing[static_cast<int>(Material::clay)] = setup.numerics.stress_smoothing_clay;
-  s.stress_smoothing[static_cast<int>(Material::surcharge)] = setup.numerics.stress_smoothing_clay;
-  s.weight_ratio[static_cast<int>(Material::sand)] = bulk(setup, Soil::sand).weight_ratio;
-  s.weight_ratio[static_cast<int>(Material::clay)] = bulk(setup, Soil::clay).weight_ratio;
+  const Numerics& numerics = setup.numerics;
+  s.courant = numerics.courant;
+  s.mass_scaling = numerics.mass_scaling;
+  s.pic_fraction = numerics.pic_fraction;
+  s.local_damping = numerics.local_damping;
+  s.bulk_viscosity = numerics.bulk_viscosity;
+  const std::size_t surcharge = setup.soils.size();
+  for (std::size_t k = 0; k < surcharge; ++k) {
+    const bool as_sand = law_of(setup.soils[k]).treated_as() == TreatedAs::sand;
+    s.face_inertia[k] = as_sand ? numerics.face_inertia_sand : numerics.face_inertia_clay;
+    s.stress_smoothing[k] = as_sand ? numerics.stress_smoothing_sand : numerics.stress_smoothing_clay;
+    s.weight_ratio[k] = bulk(setup, k).weight_ratio;
+  }
+  s.stress_smoothing[surcharge] = numerics.stress_smoothing_clay;
+  s.materials = static_cast<std::int32_t>(surcharge + 1);
   s.gravity = gravity;
   s.partial_cells = setup.chamber.surcharge == SurchargeKind::traction;
   s.threads = threads;
@@ -63,9 +66,9 @@ ModelSettings make_settings(const Setup& setup, int threads) {
 }
 
 Model make_model(const Setup& setup, const LeftBehind& left, int threads) {
-  Laws laws = make_laws(setup);
-  const InitialState start = initial_state(setup, laws.sand ? &*laws.sand : nullptr, left);
-  return Model(Mesh(chamber_layout(setup)), start.points, start.material, std::move(laws),
+  SoilModels soils = make_soils(setup);
+  const InitialState start = initial_state(setup, soils, left);
+  return Model(Mesh(chamber_layout(setup)), start.points, start.material, std::move(soils),
                make_settings(setup, threads));
 }
 

@@ -24,7 +24,7 @@ const TransferKernels& transfer_kernels() {
   return kernels_for_baseline::transfer;
 }
 
-void add_to_sums(CellSums& sums, const PointFields& points, std::size_t k, Material material) {
+void add_to_sums(CellSums& sums, const PointFields& points, std::size_t k, std::int32_t material) {
   const double x = points.xi[k], y = points.eta[k], v = points.volume[k], m = points.mass[k];
   const int q = (x > 0.0 ? 1 : 0) + (y > 0.0 ? 2 : 0);
   sums.volume[q] += v;
@@ -39,7 +39,7 @@ void add_to_sums(CellSums& sums, const PointFields& points, std::size_t k, Mater
     sums.p_r[i] += N[i] * m * points.v_r[k];
     sums.p_z[i] += N[i] * m * points.v_z[k];
   }
-  sums.material_mass[static_cast<std::int32_t>(material)] += m;
+  sums.material_mass[material] += m;
 }
 
 }  // namespace cpt::solver

@@ -24,7 +24,7 @@ struct alignas(64) CellSums {
   double mass[4];  // [kg/rad]
   double p_r[4];   // [kg m/s/rad]
   double p_z[4];
-  double material_mass[material_count];  // [kg/rad]
+  double material_mass[most_materials];  // [kg/rad]
 };
 
 /// A field on a cell: c[0] + c[1] xi + c[2] eta + c[3] xi eta.
@@ -63,14 +63,14 @@ struct TransferKernels {
   /// work of the new stress, sum of V s : d / 2.
   double (*sum_points)(std::int32_t count, std::size_t padded, const PointFields& points,
                        const CellShape& shape, const Cell& cell, const StrainScratch& strain,
-                       Material material, CellSums& sums, bool& some_left);
+                       std::int32_t material, CellSums& sums, bool& some_left);
 };
 
 /// The kernels for this machine's instruction set.
 [[nodiscard]] const TransferKernels& transfer_kernels();
 
 /// Adds one point at natural coordinates (xi, eta) to the sums.
-void add_to_sums(CellSums& sums, const PointFields& points, std::size_t k, Material material);
+void add_to_sums(CellSums& sums, const PointFields& points, std::size_t k, std::int32_t material);
 
 /// Bilinear coefficients of nodal values in the order bottom left, bottom right, top right, top left.
 [[nodiscard]] inline Bilinear bilinear(double bl, double br, double tr, double tl) {

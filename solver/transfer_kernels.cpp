@@ -183,7 +183,7 @@ CPT_INLINE void sum_nodes(std::size_t padded, const PointFields& points, const d
 }
 
 double sum_points(std::int32_t count, std::size_t padded, const PointFields& points, const CellShape& shape,
-                  const Cell& cell, const StrainScratch& strain, Material material, CellSums& sums,
+                  const Cell& cell, const StrainScratch& strain, std::int32_t material, CellSums& sums,
                   bool& some_left) {
   const double inverse_a = 1.0 / shape.a;
   const Pack zero = splat(0.0);
@@ -231,7 +231,7 @@ double sum_points(std::int32_t count, std::size_t padded, const PointFields& poi
     store(cell_sums + f, load(cell_sums + f) + value);
   }
   const double* mass = bucket + nodes_first;
-  sums.material_mass[static_cast<std::int32_t>(material)] += mass[0] + mass[1] + mass[2] + mass[3];
+  sums.material_mass[material] += mass[0] + mass[1] + mass[2] + mass[3];
   return 0.5 * lane_sum(work);
 }
 

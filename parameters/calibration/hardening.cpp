@@ -35,7 +35,7 @@ std::vector<Reading> initial_part(const TriaxialCurve& curve, double fraction) {
 
 class Simulation {
  public:
-  Simulation(const TriaxialCurve& curve, const solver::Sand& sand, double e_0, double eps_a) {
+  Simulation(const TriaxialCurve& curve, const solver::NorSandParameters& sand, double e_0, double eps_a) {
     test_.material = sand;
     test_.sigma_a = test_.sigma_r = curve.p_0;
     test_.e_0 = e_0;
@@ -45,7 +45,7 @@ class Simulation {
 
   /// Simulates the test with this H; false if it does not run to its end.
   bool run(double H) {
-    std::get<solver::Sand>(test_.material).H = H;
+    std::get<solver::NorSandParameters>(std::get<solver::LawParameters>(test_.material)).H = H;
     result_ = solver::run_element_test(test_);
     return result_.problem.empty();
   }
@@ -107,7 +107,7 @@ double eps_v_misfit(const TriaxialCurve& curve, Simulation& simulation, double H
 
 }  // namespace
 
-HardeningFit fit_hardening(const TriaxialCurve& curve, const solver::Sand& sand,
+HardeningFit fit_hardening(const TriaxialCurve& curve, const solver::NorSandParameters& sand,
                            const HardeningOptions& options) {
   HardeningFit fit;
   fit.p_0 = curve.p_0;

@@ -34,7 +34,7 @@ struct HardeningFit {
 /// section 4.2, which matches initial stiffness too but does not say by which measure. The search is Brent's
 /// method on ln H in the neighbourhood of the best of a coarse row of values. e_0 or D_r, and p_0 must be
 /// known. The volumetric strain plays no part in the search: its misfit is an independent check.
-[[nodiscard]] HardeningFit fit_hardening(const TriaxialCurve& curve, const solver::Sand& sand,
+[[nodiscard]] HardeningFit fit_hardening(const TriaxialCurve& curve, const solver::NorSandParameters& sand,
                                          const HardeningOptions& options = {});
 
 }  // namespace cpt::calibration

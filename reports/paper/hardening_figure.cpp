@@ -22,7 +22,7 @@ constexpr std::array known_H = {25.0, 50.0, 75.0};  // over the range that the p
 calibration::TriaxialCurve simulated(double D_r, double p_0, double H) {
   constexpr double last_strain = 0.05, spacing = 0.0005;
   solver::ElementTest test;
-  solver::Sand sand;
+  solver::NorSandParameters sand;
   sand.D_r = D_r;
   sand.H = H;
   test.material = sand;
@@ -52,7 +52,7 @@ std::string hardening_figure() {
     for (std::size_t i = 0; i < laboratory_densities.size(); ++i) {
       const double H = known_H[(i + k) % known_H.size()];  // a Latin square: each at each density and stress
       const auto fit = calibration::fit_hardening(
-          simulated(laboratory_densities[i], laboratory_pressures[k], H), solver::Sand{});
+          simulated(laboratory_densities[i], laboratory_pressures[k], H), solver::NorSandParameters{});
       found.points.push_back({fit.psi_0, fit.H});
     }
     plot.curves.push_back(std::move(found));

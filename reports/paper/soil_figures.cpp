@@ -27,7 +27,7 @@ constexpr std::array slopes = {0.009, 0.012, 0.015};  // lambda: lower bound, ba
 
 std::vector<ElementRow> triaxial(double D_r, double p_0, double H, double axial_strain) {
   solver::ElementTest test;
-  solver::Sand sand;
+  solver::NorSandParameters sand;
   sand.D_r = D_r;
   sand.H = H;
   test.material = sand;
@@ -40,7 +40,7 @@ std::vector<ElementRow> triaxial(double D_r, double p_0, double H, double axial_
 std::vector<ElementRow> oedometer(double H) {
   solver::ElementTest test;
   test.path = solver::ElementPath::oedometer;
-  solver::Sand sand;  // at the density of the homogeneous profile
+  solver::NorSandParameters sand;  // at the density of the homogeneous profile
   sand.H = H;
   test.material = sand;
   test.sigma_a = 20.0e3;
@@ -66,7 +66,7 @@ double volumetric(const ElementRow& row) { return row.eps_v / one_percent; }
 double sigma_v_kPa(const ElementRow& row) { return (row.p + 2.0 / 3.0 * row.q) / kPa; }
 
 XyCurve critical_state(double lambda, double from_kPa, double to_kPa, const Pen& pen) {
-  solver::Sand sand;
+  solver::NorSandParameters sand;
   sand.lambda = lambda;
   const solver::CriticalStateLine line(sand);
   XyCurve made{{}, pen};

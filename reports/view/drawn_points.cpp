@@ -21,14 +21,15 @@ DrawnPoints drawn_points(const View& view, const results::VtkPoints& points) {
   const std::size_t count = points.ids.size();
 
   DrawnPoints drawn;
+  drawn.soils = view.geometry.soils;
   drawn.fields.resize(view.panels.size() + 2);
   for (std::size_t k = 0; k < count; ++k) {
     const double r = points.positions[3 * k];
     drawn.r.push_back(r);
     drawn.depth.push_back(-points.positions[3 * k + 1]);
     drawn.size.push_back(std::sqrt(volume[k] / (2.0 * std::numbers::pi * std::max(r, 1e-9))));
-    drawn.material.push_back(static_cast<solver::Material>(
-        std::clamp(material[k], 0.0, static_cast<double>(solver::material_count - 1))));
+    drawn.material.push_back(
+        static_cast<std::size_t>(std::clamp(material[k], 0.0, static_cast<double>(view.geometry.soils))));
     drawn.fields[view.panels.size()].push_back(displacement[3 * k]);
     drawn.fields[view.panels.size() + 1].push_back(-displacement[3 * k + 1]);
   }

@@ -20,6 +20,7 @@ struct Geometry {
   double chamber_radius, soil_height;
   bool flexible_wall;
   std::vector<results::LayerRow> layers;
+  std::size_t soils;  ///< of the setup, also those that no layer has
 };
 /// Throws results::Error where the push's histories do not tell.
 [[nodiscard]] Geometry geometry_of(const results::StoredPush& push);

@@ -14,6 +14,13 @@ constexpr double strip_left = 50.0, strip_width = 104.0;
 constexpr double before_panels = 50.0, between_panels = 16.0, panels_room = 480.0, widest = 200.0;
 constexpr double tallest = 380.0, top = 84.0, below_panels = 54.0;
 
+// Settings do not name the soils where these are the two that every setup has.
+std::size_t soil_count(const results::StoredPush& push) {
+  if (!push.has_setting("soils")) return solver::Setup{}.soils.size();
+  const std::string soils = push.setting("soils");  // "dense norsand; clay tresca"
+  return static_cast<std::size_t>(std::ranges::count(soils, ';')) + 1;
+}
+
 }  // namespace
 
 Geometry geometry_of(const results::StoredPush& push) {
@@ -25,7 +32,8 @@ Geometry geometry_of(const results::StoredPush& push) {
                     push.number("chamber.radius_m"),
                     push.number("chamber.soil_height_m"),
                     push.setting("chamber.wall") == "flexible",
-                    {}};
+                    {},
+                    soil_count(push)};
   std::istringstream layers(push.setting("layers"));  // "0 to 0.23 sand; 0.23 to 1 clay"
   std::string to;
   for (results::LayerRow layer{}; layers >> layer.top_m >> to >> layer.bottom_m >> layer.soil;) {

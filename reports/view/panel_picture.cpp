@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "reports/view/frame.hpp"
 
@@ -33,6 +34,17 @@ double grid_cover(const Slope& position, double spacing) {
   return covered(std::abs(lines - std::round(lines)) / per_pixel, 1.0) * std::min(1.0, 2.0 - 8.0 * per_pixel);
 }
 
+// How far the pixel is from where two soils meet [pixels]; infinite within one.
+double from_boundary(const Raster& raster, int column, int row) {
+  constexpr double far_away = std::numeric_limits<double>::infinity();
+  const auto pair = raster.soils(column, row);
+  if (!pair) return far_away;
+  const auto side = [&](int c, int r) { return raster.first_or_second(*pair, c, r); };
+  const Slope soil = slope(side, raster, column, row);
+  return std::abs(soil.value) < 0.98 && soil.per_pixel > 0.0 ? std::abs(soil.value) / soil.per_pixel
+                                                             : far_away;
+}
+
 }  // namespace
 
 Picture panel_picture(const View& view, std::size_t panel, const Raster& raster, const Window& window) {
@@ -46,7 +58,7 @@ Picture panel_picture(const View& view, std::size_t panel, const Raster& raster,
   const auto start_depth = [&](int c, int r) {
     return window.top + (r + 0.5) * down - raster.value(u_depth, c, r);
   };
-  const auto sand_or_clay = [&](int c, int r) { return raster.sand_or_clay(c, r); };
+  const std::size_t surcharge = view.geometry.soils;
 
   Picture picture{raster.columns(), raster.rows(), {}};
   picture.pixels.reserve(static_cast<std::size_t>(picture.width) * picture.height);
@@ -54,17 +66,15 @@ Picture panel_picture(const View& view, std::size_t panel, const Raster& raster,
     for (int column = 0; column < picture.width; ++column) {
       const auto material = raster.material(column, row);
       Colour colour = empty;
-      if (material == solver::Material::surcharge) colour = no_value;
-      if (material && material != solver::Material::surcharge) {
+      if (material == surcharge) colour = no_value;
+      if (material && material != surcharge) {
         colour = scale(raster.value(panel, column, row));
         if (gridded) {
           const double cover = std::max(grid_cover(slope(start_r, raster, column, row), view.grid),
                                         grid_cover(slope(start_depth, raster, column, row), view.grid));
           colour = mixed(colour, grid_line, 0.7 * cover);
         }
-        const Slope soil = slope(sand_or_clay, raster, column, row);
-        if (std::abs(soil.value) < 0.98 && soil.per_pixel > 0.0) {
-          const double away = std::abs(soil.value) / soil.per_pixel;
+        if (const double away = from_boundary(raster, column, row); std::isfinite(away)) {
           colour = mixed(colour, boundary_edge, covered(away, 2.6));
           colour = mixed(colour, boundary_core, covered(away, 1.0));
         }

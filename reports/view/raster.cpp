@@ -34,8 +34,8 @@ struct Reach {
 }  // namespace
 
 Raster::Raster(const DrawnPoints& points, const Window& window, int columns, int rows)
-    : columns_(columns), rows_(rows), fields_(points.fields.size()) {
-  sums_.assign(solver::material_count * (fields_ + 1),
+    : columns_(columns), rows_(rows), fields_(points.fields.size()), soils_(points.soils) {
+  sums_.assign((soils_ + 1) * (fields_ + 1),
                std::vector<float>(static_cast<std::size_t>(columns) * rows, 0.0F));
   const double across = columns / window.radius, down = rows / (window.bottom - window.top);
   Reach in_row, in_column;
@@ -44,7 +44,7 @@ Raster::Raster(const DrawnPoints& points, const Window& window, int columns, int
     const double width_z = std::max(least_width, width_over_size * points.size[k] * down);
     in_column.set((points.depth[k] - window.top) * down, width_z, rows);
     if (in_column.weights.empty()) continue;
-    std::vector<float>* const sums = &sums_[static_cast<std::size_t>(points.material[k]) * (fields_ + 1)];
+    std::vector<float>* const sums = &sums_[points.material[k] * (fields_ + 1)];
     in_row.set(points.r[k] * across, width_r, columns);
     if (in_row.weights.empty()) continue;
     for (std::size_t j = 0; j < in_column.weights.size(); ++j) {
@@ -59,32 +59,46 @@ Raster::Raster(const DrawnPoints& points, const Window& window, int columns, int
   }
 }
 
-std::optional<solver::Material> Raster::material(int column, int row) const {
+std::optional<std::size_t> Raster::material(int column, int row) const {
   const std::size_t at = pixel(column, row);
   float total = 0.0F;
   std::size_t largest = 0;
-  for (std::size_t m = 0; m < solver::material_count; ++m) {
+  for (std::size_t m = 0; m <= soils_; ++m) {
     total += weight(m, at);
     if (weight(m, at) > weight(largest, at)) largest = m;
   }
   if (total < least_weight) return std::nullopt;
-  return static_cast<solver::Material>(largest);
+  return largest;
 }
 
 double Raster::value(std::size_t field, int column, int row) const {
   const auto found = material(column, row);
   if (!found) return nan;
-  const auto m = static_cast<std::size_t>(*found);
+  const std::size_t m = *found;
   const std::size_t at = pixel(column, row);
   return static_cast<double>(sums_[m * (fields_ + 1) + 1 + field][at]) / static_cast<double>(weight(m, at));
 }
 
-double Raster::sand_or_clay(int column, int row) const {
+std::optional<std::pair<std::size_t, std::size_t>> Raster::soils(int column, int row) const {
+  if (soils_ < 2) return std::nullopt;
   const std::size_t at = pixel(column, row);
-  const float sand = weight(static_cast<std::size_t>(solver::Material::sand), at);
-  const float clay = weight(static_cast<std::size_t>(solver::Material::clay), at);
-  if (sand + clay < least_weight) return nan;
-  return static_cast<double>((sand - clay) / (sand + clay));
+  std::size_t first = 0, second = 1;
+  if (weight(second, at) > weight(first, at)) std::swap(first, second);
+  for (std::size_t m = 2; m < soils_; ++m)
+    if (weight(m, at) > weight(first, at)) {
+      second = first;
+      first = m;
+    } else if (weight(m, at) > weight(second, at)) {
+      second = m;
+    }
+  return std::minmax(first, second);
+}
+
+double Raster::first_or_second(std::pair<std::size_t, std::size_t> soils, int column, int row) const {
+  const std::size_t at = pixel(column, row);
+  const float first = weight(soils.first, at), second = weight(soils.second, at);
+  if (first + second < least_weight) return nan;
+  return static_cast<double>((first - second) / (first + second));
 }
 
 }  // namespace cpt::reports::view

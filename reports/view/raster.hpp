@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "solver/material_points.hpp"
@@ -16,9 +17,10 @@ namespace cpt::reports::view {
 
 /// Material points as they are drawn; one entry a point in each list.
 struct DrawnPoints {
-  std::vector<double> r, depth;  ///< [m] from the axis; below the soil's top
-  std::vector<double> size;      ///< [m] side of the square in the r-z plane that the point stands for
-  std::vector<solver::Material> material;
+  std::vector<double> r, depth;       ///< [m] from the axis; below the soil's top
+  std::vector<double> size;           ///< [m] side of the square in the r-z plane that the point stands for
+  std::vector<std::size_t> material;  ///< number of its soil; after the last the surcharge
+  std::size_t soils = 0;              ///< how many there are
   std::vector<std::vector<double>> fields;  ///< one list a field; NaN for materials that do not have it
 };
 
@@ -36,11 +38,13 @@ class Raster {
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
   /// What fills the pixel; nothing where no point is near.
-  [[nodiscard]] std::optional<solver::Material> material(int column, int row) const;
+  [[nodiscard]] std::optional<std::size_t> material(int column, int row) const;
   /// Average of a field; NaN where there is no point or its material does not have the field.
   [[nodiscard]] double value(std::size_t field, int column, int row) const;
-  /// 1 in sand, -1 in clay, between them where both are near; NaN where neither is.
-  [[nodiscard]] double sand_or_clay(int column, int row) const;
+  /// The two soils that weigh most in the pixel, the lower number first; nothing where there is but one.
+  [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> soils(int column, int row) const;
+  /// 1 in the first of two soils, -1 in the second, between them where both are near; NaN where neither is.
+  [[nodiscard]] double first_or_second(std::pair<std::size_t, std::size_t> soils, int column, int row) const;
 
  private:
   [[nodiscard]] std::size_t pixel(int column, int row) const {
@@ -51,7 +55,7 @@ class Raster {
   }
 
   int columns_, rows_;
-  std::size_t fields_;
+  std::size_t fields_, soils_;
   std::vector<std::vector<float>> sums_;  // material by material: the weights, then each field times weight
 };
 

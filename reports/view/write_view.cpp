@@ -63,7 +63,7 @@ void fit_scales(View& view, const results::StoredPush& push, const std::vector<r
     const DrawnPoints points = drawn_points(view, results::read_field(push, field));
     const Window window = window_at(view.geometry, view.radius, field.depth);
     for (std::size_t k = 0; k < points.r.size(); ++k) {
-      if (points.material[k] == solver::Material::surcharge || points.r[k] > window.radius ||
+      if (points.material[k] == view.geometry.soils || points.r[k] > window.radius ||
           points.depth[k] < window.top || points.depth[k] > window.bottom)
         continue;
       for (std::size_t i = 0; i < values.size(); ++i)

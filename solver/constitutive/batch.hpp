@@ -15,13 +15,13 @@ struct Batch {
   double* s_tt;
   double* s_rz;
   double* e;           // [-] void ratio
-  double* p_i;         // [Pa] image pressure (sand), strength of the point (clay with one of its own)
+  double* h_0;         // first state variable of the law (soils/law.hpp)
   const double* d_rr;  // [-] strain increment of the step, tension-positive
   const double* d_zz;
   const double* d_tt;
   const double* d_rz;
-  double* gamma_p = nullptr;  // [-] accumulated plastic shear strain (clay with a strength of its own)
-  double dt = 0.0;            // [s] duration of the step; 0 for none
+  double* h_1 = nullptr;  // second state variable
+  double dt = 0.0;        // [s] duration of the step; 0 for none
 };
 
 inline constexpr std::size_t batch_width = 8;

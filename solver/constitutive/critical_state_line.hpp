@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-#include "solver/setup.hpp"
+#include "solver/mechanisms/grain_crushing.hpp"
+#include "solver/soils/norsand.hpp"
 
 namespace cpt::solver {
 
@@ -18,7 +19,7 @@ struct CriticalStateLine {
   double m;       // [-]
   GrainCrushing crushing;
 
-  explicit CriticalStateLine(const Sand& sand, const GrainCrushing& grain_crushing = {})
+  explicit CriticalStateLine(const NorSandParameters& sand, const GrainCrushing& grain_crushing = {})
       : e_cs0(sand.e_cs0), lambda(sand.lambda), m(sand.m), crushing(grain_crushing) {}
 
   /// Critical void ratio [-] at a mean effective stress p >= 0 [Pa].

@@ -1,21 +1,13 @@
 #include "solver/constitutive/element_test.hpp"
 
 #include <cmath>
+#include <memory>
 
-#include "solver/constitutive/critical_state_line.hpp"
 #include "solver/constitutive/linear_elastic.hpp"
-#include "solver/constitutive/norsand.hpp"
-#include "solver/constitutive/tresca.hpp"
+#include "solver/soils/law.hpp"
 
 namespace cpt::solver {
 namespace {
-
-template <typename... Functions>
-struct Overload : Functions... {
-  using Functions::operator()...;
-};
-template <typename... Functions>
-Overload(Functions...) -> Overload<Functions...>;  // clang 14 has no such guide of its own
 
 double radial_stress(const Specimen& specimen) { return -specimen.stress().rr; }
 double axial_stress(const Specimen& specimen) { return -specimen.stress().zz; }
@@ -27,43 +19,31 @@ Specimen strained(const Specimen& specimen, double axial, double radial) {
   return next;
 }
 
-struct Prepared {
-  Specimen specimen;
-  std::optional<CriticalStateLine> line;
+// A law that copies of a specimen share.
+struct SharedModel {
+  std::shared_ptr<const SoilModel> model;
+  [[nodiscard]] double update(const Batch& batch) const { return model->update(batch); }
 };
 
-Prepared prepare(const ElementTest& test) {
+Specimen prepare(const ElementTest& test) {
   const PointStress stress = {-test.sigma_r, -test.sigma_a, -test.sigma_r, 0.0};
-  const auto void_ratio = [&](double from_material) {
-    return std::isnan(test.e_0) ? from_material : test.e_0;
-  };
-  return std::visit(
-      Overload{[&](const Sand& sand) {
-                 const NorSand law(sand);
-                 const double e = void_ratio(sand.e_max - sand.D_r * (sand.e_max - sand.e_min));
-                 const double p_i = std::isnan(test.p_i) ? law.initial_image_pressure(stress.rr, stress.zz,
-                                                                                      stress.tt, stress.rz, e)
-                                                         : test.p_i;
-                 return Prepared{Specimen(law, stress, e, p_i), CriticalStateLine(sand)};
-               },
-               [&](const Clay& clay) {
-                 return Prepared{Specimen(Tresca(clay), stress, void_ratio(clay.n_0 / (1.0 - clay.n_0))), {}};
-               },
-               [&](const Elastic& elastic) {
-                 return Prepared{Specimen(LinearElastic(elastic.E, elastic.nu), stress, void_ratio(0.0)), {}};
-               }},
-      test.material);
+  const auto asked = [](double value, double otherwise) { return std::isnan(value) ? otherwise : value; };
+  if (const auto* elastic = std::get_if<Elastic>(&test.material))
+    return {LinearElastic(elastic->E, elastic->nu), stress, asked(test.e_0, 0.0)};
+  const auto& parameters = std::get<LawParameters>(test.material);
+  const Law& law = law_of(parameters);
+  const SharedModel model{law.model(parameters, {})};
+  const double e = asked(test.e_0, law.void_ratio(parameters));
+  PointHistory history = model.model->start({0.0, stress.rr, stress.zz, stress.tt, stress.rz, e});
+  history[0] = asked(test.h_0, history[0]);
+  return {model, stress, e, history[0], history[1]};
 }
 
-ElementRow row(const Prepared& prepared, double eps_a, double eps_v) {
-  const Specimen& s = prepared.specimen;
+ElementRow row(const ElementTest& test, const Specimen& s, double eps_a, double eps_v) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  ElementRow r{eps_a, eps_v, axial_stress(s) - radial_stress(s), s.p(), s.e(), nan, nan, nan};
-  if (prepared.line) {
-    r.psi = s.e() - prepared.line->void_ratio(s.p());
-    r.p_i = s.p_i();
-    r.psi_i = s.e() - prepared.line->void_ratio(s.p_i());
-  }
+  ElementRow r{eps_a, eps_v, axial_stress(s) - radial_stress(s), s.p(), s.e(), nan, s.h_0(), s.h_1()};
+  if (const auto* parameters = std::get_if<LawParameters>(&test.material))
+    r.psi = s.e() - law_of(*parameters).critical_void_ratio(*parameters, s.p());
   return r;
 }
 
@@ -111,13 +91,13 @@ ElementResult run_element_test(const ElementTest& test) {
     result.problem = "initial stresses and the largest axial strain must be positive, steps at least 1";
     return result;
   }
-  Prepared prepared = prepare(test);
+  Specimen specimen = prepare(test);
   const double axial_row = test.max_axial_strain / test.steps;
   const int increments = static_cast<int>(std::ceil(axial_row / test.max_increment - 1e-9));
   const double axial = axial_row / increments;
   double eps_a = 0.0, eps_v = 0.0;
   double radial = -0.3 * axial;
-  result.rows.push_back(row(prepared, eps_a, eps_v));
+  result.rows.push_back(row(test, specimen, eps_a, eps_v));
   for (int i = 1; i <= test.steps * increments; ++i) {
     switch (test.path) {
       case ElementPath::oedometer:
@@ -128,7 +108,7 @@ ElementResult run_element_test(const ElementTest& test) {
         break;
       case ElementPath::triaxial:
         if (test.drained) {
-          const auto found = drained_radial_strain(prepared.specimen, axial, test.sigma_r, radial);
+          const auto found = drained_radial_strain(specimen, axial, test.sigma_r, radial);
           if (!found) {
             result.problem = "no radial strain keeps the cell pressure";
             return result;
@@ -138,16 +118,16 @@ ElementResult run_element_test(const ElementTest& test) {
           radial = -0.5 * axial;
         }
     }
-    prepared.specimen = strained(prepared.specimen, axial, radial);
+    specimen = strained(specimen, axial, radial);
     eps_a += axial;
     eps_v += axial + 2.0 * radial;
     if (i % increments != 0) continue;
-    result.rows.push_back(row(prepared, eps_a, eps_v));
+    result.rows.push_back(row(test, specimen, eps_a, eps_v));
     if (!std::isfinite(result.rows.back().q + result.rows.back().p)) {
       result.problem = "the stress became non-finite";
       return result;
     }
-    if (axial_stress(prepared.specimen) >= test.max_axial_stress) break;
+    if (axial_stress(specimen) >= test.max_axial_stress) break;
   }
   return result;
 }

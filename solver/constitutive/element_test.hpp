@@ -25,12 +25,12 @@ struct Elastic {
 struct ElementTest {
   ElementPath path = ElementPath::triaxial;
   bool drained = true;  ///< triaxial only: constant cell pressure, or constant volume
-  std::variant<Sand, Clay, Elastic> material = Sand{};
+  std::variant<LawParameters, Elastic> material = NorSandParameters{};
   double sigma_a = 100.0e3;                               // [Pa] initial axial effective stress, > 0
   double sigma_r = 100.0e3;                               // [Pa] initial radial effective stress, > 0
-  double e_0 = std::numeric_limits<double>::quiet_NaN();  // [-] initial void ratio; NaN: from D_r or n_0
-  double p_i =
-      std::numeric_limits<double>::quiet_NaN();  // [Pa] initial image pressure; NaN: yield surface and OCR
+  double e_0 = std::numeric_limits<double>::quiet_NaN();  // [-] initial void ratio; NaN: the soil's
+  double h_0 =
+      std::numeric_limits<double>::quiet_NaN();  // initial first state variable; NaN: the law's start
   double max_axial_strain = 0.25;                // [-] > 0
   double max_axial_stress =
       std::numeric_limits<double>::infinity();  // [Pa] the first row beyond it is the last
@@ -38,7 +38,7 @@ struct ElementTest {
   double max_increment = 2.5e-4;  // [-] axial strain of one increment at most: a row takes several
 };
 
-/// One row of the result; psi, p_i and psi_i are NaN but for sand.
+/// One row of the result; psi is NaN for laws without a critical state line.
 struct ElementRow {
   double eps_a;  // [-] axial strain
   double eps_v;  // [-] volumetric strain
@@ -46,8 +46,8 @@ struct ElementRow {
   double p;      // [Pa] mean effective stress
   double e;      // [-] void ratio
   double psi;    // [-] state parameter e - e_c(p)
-  double p_i;    // [Pa] image pressure
-  double psi_i;  // [-] state parameter at the image pressure
+  double h_0;    // state variables of the law
+  double h_1;
 };
 
 struct ElementResult {

@@ -21,7 +21,7 @@ void set_binomial(double exponent, double (&coefficient)[8]) {
   for (int k = 1; k < 8; ++k) coefficient[k] = coefficient[k - 1] * (exponent - (k - 1)) / k;
 }
 
-NorSandConstants derive(const Sand& sand, const GrainCrushing& crushing) {
+NorSandConstants derive(const NorSandParameters& sand, const GrainCrushing& crushing) {
   NorSandConstants c{};
   c.e_cs0 = sand.e_cs0;
   c.lambda = sand.lambda;
@@ -60,7 +60,7 @@ NorSandConstants derive(const Sand& sand, const GrainCrushing& crushing) {
 
 }  // namespace
 
-NorSand::NorSand(const Sand& sand, const GrainCrushing& crushing)
+NorSand::NorSand(const NorSandParameters& sand, const GrainCrushing& crushing)
     : constants_(derive(sand, crushing)), kernels_(&constitutive_kernels()), OCR_(sand.OCR) {}
 
 double NorSand::initial_image_pressure(double s_rr, double s_zz, double s_tt, double s_rz, double e) const {

@@ -3,18 +3,19 @@
 
 #include "solver/constitutive/batch.hpp"
 #include "solver/constitutive/kernels.hpp"
-#include "solver/setup.hpp"
+#include "solver/mechanisms/grain_crushing.hpp"
+#include "solver/soils/norsand.hpp"
 
 namespace cpt::solver {
 
-/// The law for one set of parameters. Choices beyond the book, all settings of Sand: associated deviatoric
-/// flow with a rounded corner at triaxial compression, or radial flow; the inner cap p_i <= cap_ratio p_mx;
-/// no stress below p_min; the exponent of the hardening rule. The softening term of undrained loading is left
-/// out.
+/// The law for one set of parameters. Choices beyond the book, all parameters of NorSandParameters:
+/// associated deviatoric flow with a rounded corner at triaxial compression, or radial flow; the inner cap
+/// p_i <= cap_ratio p_mx; no stress below p_min; the exponent of the hardening rule. The softening term of
+/// undrained loading is left out.
 class NorSand {
  public:
   /// `sand` must be in the ranges of the quantities list; otherwise results may be non-finite.
-  explicit NorSand(const Sand& sand, const GrainCrushing& crushing = {});
+  explicit NorSand(const NorSandParameters& sand, const GrainCrushing& crushing = {});
 
   /// Updates stress, void ratio and image pressure of a batch for one step. Returns the largest P-wave
   /// modulus K + 4/3 G [Pa] after it. Each point's result depends on that point alone; a point with

@@ -80,7 +80,7 @@ struct Stress {
 /// Updates the pack at `k`; returns its P-wave moduli [Pa].
 CPT_INLINE Pack update_pack(const Constants& c, const Batch& batch, decltype(batch.size) k) {
   Stress stress = {load(batch.s_rr + k), load(batch.s_zz + k), load(batch.s_tt + k), load(batch.s_rz + k)};
-  const Pack e = load(batch.e + k), p_i = load(batch.p_i + k);
+  const Pack e = load(batch.e + k), p_i = load(batch.h_0 + k);
   const Pack d_rr = load(batch.d_rr + k), d_zz = load(batch.d_zz + k), d_tt = load(batch.d_tt + k);
   const Pack d_rz = load(batch.d_rz + k);
   // Zero, or NaN for a lane with anything non-finite: added to the results.
@@ -155,7 +155,7 @@ CPT_INLINE Pack update_pack(const Constants& c, const Batch& batch, decltype(bat
   store(batch.s_tt + k, stress.tt + poison);
   store(batch.s_rz + k, stress.rz + poison);
   store(batch.e + k, e_end + poison);
-  store(batch.p_i + k, end.p_i + poison);
+  store(batch.h_0 + k, end.p_i + poison);
   return (c.K_over_G + 4.0 / 3.0) * (stiffness_end * w.power_p);
 }
 

@@ -3,7 +3,7 @@
 
 #include "solver/constitutive/batch.hpp"
 #include "solver/constitutive/kernels.hpp"
-#include "solver/setup.hpp"
+#include "solver/soils/tresca.hpp"
 
 namespace cpt::solver {
 
@@ -11,7 +11,7 @@ namespace cpt::solver {
 /// (associated, so that plastic flow keeps the volume).
 class Tresca {
  public:
-  explicit Tresca(const Clay& clay);
+  explicit Tresca(const TrescaParameters& clay);
 
   /// Updates stress and void ratio of a batch for one step; returns the P-wave modulus K + 4/3 G [Pa], a
   /// constant.

@@ -78,20 +78,21 @@ CPT_INLINE Pack shear_increment(const Batch& b, decltype(b.size) k) {
   return at_least(centre + radius, tt) - at_most(centre - radius, tt);
 }
 
+/// h_0 is s_u0, h_1 the plastic shear strain xi.
 /// s_u = s_u0 (1 - loss (1 - exp(-3 xi / xi_95))) (1 + mu log10(max(rate, reference) / reference)): Einav &
 /// Randolph, Int. J. Numer. Meth. Engng 63 (2005) 991-1003, with s_u0 the point's own. The plastic shear
 /// strain of a step is the part of sigma_1 - sigma_3 that the return takes away, over 2 G.
 [[maybe_unused]] static void update_varying_tresca(const VaryingTrescaConstants& c, const Batch& batch) {
   const double to_rate = batch.dt > 0.0 ? c.inverse_reference_rate / batch.dt : 0.0;
   for (decltype(batch.size) k = 0; k < batch.size; k += lanes) {
-    const Pack xi = load(batch.gamma_p + k);
+    const Pack xi = load(batch.h_1 + k);
     const Pack remoulded = c.loss * (1.0 - exp((-3.0 * c.inverse_xi_95) * xi));
     const Pack rate = at_least(to_rate * shear_increment(batch, k), splat(1.0));
     const Pack faster = 1.0 + (c.mu * 0.43429448190325182) * log(rate);
-    const Pack s_u = load(batch.p_i + k) * (1.0 - remoulded) * faster;
+    const Pack s_u = load(batch.h_0 + k) * (1.0 - remoulded) * faster;
     Pack excess;
     store_stress(batch, k, return_to_tresca(s_u, elastic_trial(c.elastic, batch, k), excess));
-    store(batch.gamma_p + k, xi + at_least(excess, splat(0.0)) * (1.0 / c.elastic.two_G));
+    store(batch.h_1 + k, xi + at_least(excess, splat(0.0)) * (1.0 / c.elastic.two_G));
   }
 }
 

@@ -6,7 +6,8 @@
 
 namespace cpt::solver {
 
-VaryingTresca::VaryingTresca(const Clay& clay, const StrainSoftening& softening, const RateDependence& rate)
+VaryingTresca::VaryingTresca(const TrescaParameters& clay, const StrainSoftening& softening,
+                             const RateDependence& rate)
     : constants_{LinearElastic::constants(clay.G, clay.nu), softening.loss, 1.0 / softening.xi_95, rate.mu,
                  1.0 / rate.reference_rate},
       kernels_(&constitutive_kernels()),
@@ -17,7 +18,7 @@ bool strength_varies(const Mechanisms& mechanisms) {
          mechanisms.strength_gradient.on() || mechanisms.clay_crust.on();
 }
 
-double strength_at(const Clay& clay, const Mechanisms& mechanisms, double depth) {
+double strength_at(const TrescaParameters& clay, const Mechanisms& mechanisms, double depth) {
   const double weakest = 0.01 * clay.s_u;  // a falling gradient does not end in negative strength
   return std::max(
       weakest, clay.s_u * (1.0 + mechanisms.clay_crust.at(depth)) + mechanisms.strength_gradient.at(depth));

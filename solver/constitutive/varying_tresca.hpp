@@ -8,11 +8,12 @@
 
 namespace cpt::solver {
 
-/// Tresca (tresca.hpp) with the strength s_u0 [Pa] of each point in Batch::p_i, times the factors of
-/// mechanisms/strain_softening.hpp and mechanisms/rate_dependence.hpp. Keeps Batch::gamma_p.
+/// Tresca (tresca.hpp) with the strength s_u0 [Pa] of each point in Batch::h_0, times the factors of
+/// mechanisms/strain_softening.hpp and mechanisms/rate_dependence.hpp. Keeps the plastic shear strain in
+/// Batch::h_1.
 class VaryingTresca {
  public:
-  VaryingTresca(const Clay& clay, const StrainSoftening& softening, const RateDependence& rate);
+  VaryingTresca(const TrescaParameters& clay, const StrainSoftening& softening, const RateDependence& rate);
 
   /// Updates stress, void ratio and plastic shear strain of a batch for one step; returns the P-wave modulus
   /// [Pa].
@@ -30,6 +31,6 @@ class VaryingTresca {
 /// True if some mechanism asks for it.
 [[nodiscard]] bool strength_varies(const Mechanisms& mechanisms);
 /// s_u0 [Pa] at a depth [m].
-[[nodiscard]] double strength_at(const Clay& clay, const Mechanisms& mechanisms, double depth);
+[[nodiscard]] double strength_at(const TrescaParameters& clay, const Mechanisms& mechanisms, double depth);
 
 }  // namespace cpt::solver

@@ -1,7 +1,10 @@
 #include "solver/mechanisms/catalogue.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <string>
+
+#include "solver/soils/law.hpp"
 
 namespace cpt::solver {
 
@@ -49,9 +52,11 @@ bool is_mechanism_parameter(std::string_view quantity) {
 }
 
 bool applies(const Mechanism& mechanism, const Setup& setup) {
-  const bool sand = contains(setup, Soil::sand), clay = contains(setup, Soil::clay);
-  if (mechanism.needs_interfaces) return sand && clay;
-  return !mechanism.soil || (*mechanism.soil == Soil::sand ? sand : clay);
+  if (mechanism.needs_interfaces)
+    return std::ranges::adjacent_find(setup.layers, std::not_equal_to(), &Layer::soil) != setup.layers.end();
+  return mechanism.acts_on == nullptr || std::ranges::any_of(setup.layers, [&](const Layer& layer) {
+           return mechanism.acts_on(law_of(setup.soils[layer.soil]));
+         });
 }
 
 bool is_on(const Mechanism& mechanism, const Setup& setup) {

@@ -11,14 +11,14 @@ Mechanism clay_crust_mechanism() {
           "s_u(z) = s_u (1 + increase exp(-z / decay))",
           "drainage into the cushion or the next sand",
           "q_c is higher near the top of the clay and fades downward.",
-          clay_only,
+          tresca_only,
           false,
           {{number<&Setup::mechanisms, &Mechanisms::clay_crust, &ClayCrust::increase>(
-                "clay_crust.increase", "Δs_u/s_u", none, 0.0, 10.0, clay_only,
+                "clay_crust.increase", "Δs_u/s_u", none, 0.0, 10.0, tresca_only,
                 "relative increase of s_u at the soil's top", "drainage into the cushion"),
             0.0, 1.5},
            {number<&Setup::mechanisms, &Mechanisms::clay_crust, &ClayCrust::decay>(
-                "clay_crust.decay_mm", "ℓ_crust", millimetres, 1.0, 2000.0, clay_only,
+                "clay_crust.decay_mm", "ℓ_crust", millimetres, 1.0, 2000.0, tresca_only,
                 "depth over which the increase falls to 1/e", "consolidation times of days"),
             20.0, 120.0}}};
 }

@@ -12,15 +12,15 @@ Mechanism grain_crushing_mechanism() {
           "Russell & Khalili, Can. Geotech. J. 41 (2004) 1179",
           "q_c stops rising where the cone's stress reaches the crushing pressure: lower at depth and in "
           "dense sand, unchanged near the top.",
-          sand_only,
+          norsand_only,
           false,
           {{number<&Setup::mechanisms, &Mechanisms::grain_crushing, &GrainCrushing::slope>(
-                "grain_crushing.slope", "λ_cr", none, 0.0, 1.0, sand_only,
+                "grain_crushing.slope", "λ_cr", none, 0.0, 1.0, norsand_only,
                 "slope of the crushing branch of the critical state line in e over ln p",
                 "Russell & Khalili (2004)"),
             0.0, 0.15},
            {number<&Setup::mechanisms, &Mechanisms::grain_crushing, &GrainCrushing::pressure>(
-                "grain_crushing.pressure_kPa", "p_cr", kilopascals, 10.0, 1.0e5, sand_only,
+                "grain_crushing.pressure_kPa", "p_cr", kilopascals, 10.0, 1.0e5, norsand_only,
                 "mean stress at which crushing begins", "quartz sands from 0.3 MPa on for angular ones"),
             200.0, 1200.0}}};
 }

@@ -2,7 +2,6 @@
 // switched on.
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -22,8 +21,8 @@ struct Mechanism {
   std::string_view equation;   ///< in plain text
   std::string_view source;     ///< of the equation and the prior
   std::string_view signature;  ///< what to expect in q_c, one sentence
-  std::optional<Soil> soil;    ///< acts only on this soil
-  bool needs_interfaces;       ///< acts only where sand meets clay
+  ActsOn acts_on;              ///< on soils of which laws, if not on all
+  bool needs_interfaces;       ///< acts only where two soils meet
   /// The first is the strength. The mechanism is off, bit for bit, where all parameters have their defaults.
   std::vector<MechanismParameter> parameters;
   /// Acts on what is recorded of the push (reading.hpp), not on the push: known without a run of its own.

@@ -11,10 +11,10 @@ Mechanism overconsolidation_mechanism() {
           "p_i = (1 + excess) p_i(K0 state)",
           "Jefferies & Been (2015), chapter 3",
           "q_c is higher throughout, more so at a higher sigma'_h0.",
-          sand_only,
+          norsand_only,
           false,
           {{number<&Setup::mechanisms, &Mechanisms::overconsolidation, &Overconsolidation::excess>(
-                "overconsolidation.excess", "OCR-1", none, 0.0, 20.0, sand_only,
+                "overconsolidation.excess", "OCR-1", none, 0.0, 20.0, norsand_only,
                 "over-consolidation ratio of the image pressure, less one",
                 "one unloading from two to three times the test's stress"),
             0.0, 2.0}}};

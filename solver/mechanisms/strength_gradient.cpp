@@ -11,11 +11,11 @@ Mechanism strength_gradient_mechanism() {
           "s_u(z) = s_u + gradient z",
           "normally consolidated clay: 1 to 2 kPa/m in the field, more between drained plates",
           "q_c rises linearly with depth.",
-          clay_only,
+          tresca_only,
           false,
           {{number<&Setup::mechanisms, &Mechanisms::strength_gradient, &StrengthGradient::gradient>(
                 "strength_gradient.gradient_kPa_per_m", "k_su", kilopascals_per_metre, -100.0, 1000.0,
-                clay_only, "rise of s_u with depth", "consolidation between drained plates"),
+                tresca_only, "rise of s_u with depth", "consolidation between drained plates"),
             0.0, 30.0}}};
 }
 

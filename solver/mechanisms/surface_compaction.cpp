@@ -11,15 +11,15 @@ Mechanism surface_compaction_mechanism() {
           "D_r(z) = D_r + increase exp(-z / decay)",
           "Yost et al. (2023), section 5.1; range: up to the densest state, a few cushion settlements deep",
           "q_c is higher near the top, and the difference fades downward over a few decay lengths.",
-          sand_only,
+          norsand_only,
           false,
           {{number<&Setup::mechanisms, &Mechanisms::surface_compaction, &SurfaceCompaction::increase>(
-                "surface_compaction.increase_percent", "ΔDᵣ", percent, 0.0, 80.0, sand_only,
+                "surface_compaction.increase_percent", "ΔDᵣ", percent, 0.0, 80.0, norsand_only,
                 "increase of the relative density at the soil's top, fading downward",
                 "Yost et al. (2023), section 5.1"),
             0.0, 40.0},
            {number<&Setup::mechanisms, &Mechanisms::surface_compaction, &SurfaceCompaction::decay>(
-                "surface_compaction.decay_mm", "ℓ", millimetres, 1.0, 2000.0, sand_only,
+                "surface_compaction.decay_mm", "ℓ", millimetres, 1.0, 2000.0, norsand_only,
                 "depth over which the increase falls to 1/e", "Yost et al. (2023), Fig. 9"),
             20.0, 120.0}}};
 }

@@ -25,6 +25,7 @@
 #include "campaign/realization_child.hpp"
 #include "results/provenance.hpp"
 #include "solver/quantities.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace {
 
@@ -69,7 +70,7 @@ solver::DepthProfile lawful_curve(const solver::Setup& setup) {
   const double noise = 0.004 * std::sin(1e3 * setup.numerics.point_shift + 40.0 * setup.numerics.courant);
   solver::DepthProfile profile;
   for (double depth = 0.02; depth < setup.penetrometer.final_depth; depth += 0.001) {
-    const double y = 1.5 * (setup.sand.D_r - 0.36) + 0.4 * (setup.contact.friction_ratio - 0.5) +
+    const double y = 1.5 * (solver::sand_of(setup).D_r - 0.36) + 0.4 * (setup.contact.friction_ratio - 0.5) +
                      0.9 * m.surface_compaction.at(depth) + m.density_lens.at(depth) -
                      0.8 * m.wall_friction.coefficient * depth - m.cushion_transfer.loss +
                      noise * std::cos(60.0 * depth);

@@ -5,6 +5,7 @@
 
 #include "parameters/designs/one_at_a_time.hpp"
 #include "request_fixture.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::diagnosis {
 namespace {
@@ -12,8 +13,9 @@ namespace {
 // ln q_c of any setup: additive in the study's parameters, and what surface compaction adds.
 double law(const solver::Setup& setup, double depth) {
   const double compaction = setup.mechanisms.surface_compaction.at(depth);
-  return std::log(3e6 * std::sqrt(depth)) + 1.5 * (setup.sand.D_r - 0.36) + 0.01 * (setup.sand.H - 25.0) +
-         setup.initial.sigma_v0 / 50e3 - 1.0 + 0.8 * compaction + 0.01 * setup.numerics.point_shift;
+  return std::log(3e6 * std::sqrt(depth)) + 1.5 * (solver::sand_of(setup).D_r - 0.36) +
+         0.01 * (solver::sand_of(setup).H - 25.0) + setup.initial.sigma_v0 / 50e3 - 1.0 + 0.8 * compaction +
+         0.01 * setup.numerics.point_shift;
 }
 
 class Assembling : public ::testing::Test {

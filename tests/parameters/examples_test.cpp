@@ -3,6 +3,7 @@
 
 #include "parameters/designs/one_at_a_time.hpp"
 #include "tests/parameters/studies.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -75,7 +76,7 @@ TEST(Examples, ChamberStudiesDifferFromEachOtherAsThePaperSays) {
   const Study rigid = example("paper/dense_rigid.toml");
   EXPECT_EQ(rigid.baseline.initial.sigma_v0, 100.0e3);
   EXPECT_EQ(rigid.baseline.initial.sigma_h0, 50.0e3);
-  EXPECT_DOUBLE_EQ(rigid.baseline.sand.D_r, 0.60);
+  EXPECT_DOUBLE_EQ(solver::sand_of(rigid.baseline).D_r, 0.60);
   const Study flexible = example("paper/dense_flexible.toml");
   solver::Setup setup = rigid.baseline;
   setup.chamber.wall = solver::Wall::flexible;
@@ -87,7 +88,7 @@ TEST(Examples, ChamberStudiesDifferFromEachOtherAsThePaperSays) {
   EXPECT_EQ(solver::canonical_text(second.baseline), solver::canonical_text(setup));
   const Study homogeneous = example("paper/homogeneous_sand.toml");
   setup = homogeneous.baseline;
-  setup.sand.OCR = 2.0;
+  solver::sand_of(setup).OCR = 2.0;
   EXPECT_EQ(solver::canonical_text(example("paper/image_pressure.toml").baseline),
             solver::canonical_text(setup));
   setup = homogeneous.baseline;

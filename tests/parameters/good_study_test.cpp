@@ -2,6 +2,7 @@
 
 #include "parameters/designs/one_at_a_time.hpp"
 #include "tests/parameters/studies.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -46,7 +47,7 @@ TEST(GoodStudy, FixedInputsInEverySpelling) {
       study_of(sand_study("[fixed]\n\"numerics.courant\" = 0.5\nsand.phi_cs_deg = 31\n"
                           "[fixed.initial]\nsigma_v0_kPa = 60\nself_weight = \"none\"\n"));
   EXPECT_EQ(study.baseline.numerics.courant, 0.5);
-  EXPECT_DOUBLE_EQ(study.baseline.sand.phi_cs, 31.0 * std::acos(-1.0) / 180.0);
+  EXPECT_DOUBLE_EQ(solver::sand_of(study.baseline).phi_cs, 31.0 * std::acos(-1.0) / 180.0);
   EXPECT_EQ(study.baseline.initial.sigma_v0, 60.0e3);
   EXPECT_EQ(study.baseline.initial.self_weight, solver::SelfWeight::none);
 }
@@ -118,8 +119,8 @@ TEST(GoodStudy, LayersAndZonesReplaceThoseOfThePreset) {
                           "[[zones]]\nouter_radius_m = 0.05\ncolumns = 20\nrows_per_m = 300\n"
                           "[[zones]]\nouter_radius_m = 0.45\ncolumns = 30\nrows_per_m = 200\n"));
   ASSERT_EQ(study.baseline.layers.size(), 2u);
-  EXPECT_EQ(study.baseline.layers[0].soil, Soil::sand);
-  EXPECT_EQ(study.baseline.layers[1].soil, Soil::clay);
+  EXPECT_EQ(study.baseline.layers[0].soil, solver::default_sand);
+  EXPECT_EQ(study.baseline.layers[1].soil, solver::default_clay);
   EXPECT_EQ(study.baseline.layers[1].top, 0.4);
   EXPECT_EQ(study.baseline.layers[1].bottom, 0.96);
   ASSERT_EQ(study.baseline.numerics.zones.size(), 2u);

@@ -3,6 +3,7 @@
 
 #include "parameters/designs/one_at_a_time.hpp"
 #include "tests/parameters/studies.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -21,7 +22,7 @@ TEST(Points, ComeAfterTheRows) {
   EXPECT_TRUE(std::isnan(parameter_value(study, both)));
   EXPECT_EQ(value_text(study, both), "sand.D_r_percent = 46, contact.friction_ratio = 0.3");
   const solver::Setup setup = make_setup(study, both);
-  EXPECT_DOUBLE_EQ(setup.sand.D_r, 0.46);
+  EXPECT_DOUBLE_EQ(solver::sand_of(setup).D_r, 0.46);
   EXPECT_DOUBLE_EQ(setup.contact.friction_ratio, 0.3);
   EXPECT_EQ(make_setup(study, realizations[3]).chamber.wall, solver::Wall::flexible);
   EXPECT_EQ(value_text(study, realizations[3]), "chamber.wall = flexible");
@@ -90,7 +91,7 @@ TEST(Repeats, PairsHaveTheShiftsOfTheRepeats) {
                       repeat = make_setup(study, realizations[5]);
   EXPECT_EQ(realizations.back().side, Side::point);
   EXPECT_EQ(pair.numerics.point_shift, repeat.numerics.point_shift);
-  EXPECT_EQ(pair.sand.nu, 0.3);
+  EXPECT_EQ(solver::sand_of(pair).nu, 0.3);
 }
 
 TEST(Repeats, PairsThatCannotBeAreTold) {

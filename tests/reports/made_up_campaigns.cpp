@@ -7,6 +7,7 @@
 #include "parameters/read_study.hpp"
 #include "results/ledger.hpp"
 #include "solver/quantities.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -88,7 +89,7 @@ double factor(std::string_view quantity, bool upper) {
 
 bool in_clay(const solver::Setup& setup, double depth) {
   for (const solver::Layer& layer : setup.layers)
-    if (depth >= layer.top && depth < layer.bottom) return layer.soil == solver::Soil::clay;
+    if (depth >= layer.top && depth < layer.bottom) return layer.soil == solver::default_clay;
   return false;
 }
 
@@ -98,7 +99,7 @@ solver::DepthProfile made_up_curve(const solver::Setup& setup, double scale, int
   double q_c = 0.0;
   for (double depth = 0.00025; depth < final_depth; depth += 0.0005) {
     const double target = in_clay(setup, depth) ? 0.27e6 : 3.9e6 * (1.0 - std::exp(-(depth + 0.01) / 0.06));
-    q_c += (target - q_c) * 0.0005 / (contains(setup, solver::Soil::clay) ? 0.016 : 0.006);
+    q_c += (target - q_c) * 0.0005 / (contains(setup, solver::default_clay) ? 0.016 : 0.006);
     const double noise = 0.006 * std::sin(depth * 2100.0 + id) + 0.004 * std::sin(depth * 5300.0 + 2.0 * id);
     profile.depth.push_back(depth);
     profile.q_c.push_back(scale * q_c * (1.0 + noise));
@@ -191,9 +192,9 @@ results::Snapshot run_made_up_design(const std::filesystem::path& file, const st
   results::Ledger ledger = results::Ledger::open_for_run(study, realizations, {text});
   for (const parameters::Realization& realization : realizations) {
     const solver::Setup setup = make_setup(study, realization);
-    const double scale = std::sqrt(setup.sand.H / 25.0) * std::pow(setup.sand.D_r / 0.36, 1.5) *
-                         (1.0 + 0.2 * setup.sand.nu) *
-                         (setup.chamber.wall == solver::Wall::rigid ? 1.0 : 0.7);
+    const double scale =
+        std::sqrt(solver::sand_of(setup).H / 25.0) * std::pow(solver::sand_of(setup).D_r / 0.36, 1.5) *
+        (1.0 + 0.2 * solver::sand_of(setup).nu) * (setup.chamber.wall == solver::Wall::rigid ? 1.0 : 0.7);
     solver::Outcome outcome;
     if (realization.id % 10 == 0) {
       outcome.status = solver::Status::did_not_converge;

@@ -9,7 +9,6 @@
 namespace cpt::reports::view {
 namespace {
 
-using solver::Material;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ColourMaps, HaveTheirPublishedColours) {
@@ -98,10 +97,13 @@ TEST(ColourScale, IsFittedToTheAreaButForAFewOddPoints) {
   EXPECT_LT(one.low, one.high);
 }
 
+constexpr std::size_t sand = 0, clay = 1, surcharge = 2;
+
 // Points on a square lattice over a box; one field, and the two displacements that a view adds, at rest.
 void fill(DrawnPoints& points, double r_from, double r_to, double from, double to, double spacing,
-          Material material, double value) {
+          std::size_t material, double value) {
   points.fields.resize(3);
+  points.soils = 2;
   const int columns = static_cast<int>(std::round((r_to - r_from) / spacing));
   const int rows = static_cast<int>(std::round((to - from) / spacing));
   for (int i = 0; i < columns; ++i)
@@ -118,16 +120,16 @@ void fill(DrawnPoints& points, double r_from, double r_to, double from, double t
 
 TEST(Raster, PixelsHaveTheValueOfTheirSoilAndItsBoundaryIsSharp) {
   DrawnPoints points;
-  fill(points, 0.0, 0.1, 0.0, 0.1, 0.005, Material::sand, 0.75);
-  fill(points, 0.0, 0.1, 0.1, 0.2, 0.005, Material::clay, 0.25);
+  fill(points, 0.0, 0.1, 0.0, 0.1, 0.005, sand, 0.75);
+  fill(points, 0.0, 0.1, 0.1, 0.2, 0.005, clay, 0.25);
   const Raster raster(points, {0.1, 0.0, 0.2}, 50, 100);
   for (int row = 0; row < 100; ++row)
     for (int column = 0; column < 50; ++column) {
-      EXPECT_EQ(raster.material(column, row), row < 50 ? Material::sand : Material::clay);
+      EXPECT_EQ(raster.material(column, row), row < 50 ? sand : clay);
       EXPECT_FLOAT_EQ(static_cast<float>(raster.value(0, column, row)), row < 50 ? 0.75F : 0.25F);
     }
-  EXPECT_NEAR(raster.sand_or_clay(25, 10), 1.0, 1e-6);
-  EXPECT_NEAR(raster.sand_or_clay(25, 90), -1.0, 1e-6);
+  EXPECT_NEAR(raster.first_or_second({sand, clay}, 25, 10), 1.0, 1e-6);
+  EXPECT_NEAR(raster.first_or_second({sand, clay}, 25, 90), -1.0, 1e-6);
 }
 
 TEST(Raster, IsTheAverageWeightedWithEachPointsOwnGaussian) {
@@ -135,7 +137,8 @@ TEST(Raster, IsTheAverageWeightedWithEachPointsOwnGaussian) {
   points.r = {0.010, 0.022};
   points.depth = {0.020, 0.023};
   points.size = {0.010, 0.020};
-  points.material = {Material::sand, Material::sand};
+  points.material = {sand, sand};
+  points.soils = 2;
   points.fields = {{1.0, 5.0}};
   const Raster raster(points, {0.04, 0.0, 0.04}, 40, 40);  // pixels of 1 mm
   double weights = 0.0, sum = 0.0;
@@ -151,19 +154,19 @@ TEST(Raster, IsTheAverageWeightedWithEachPointsOwnGaussian) {
 
 TEST(Raster, NothingIsWhereNoPointIs) {
   DrawnPoints points;
-  fill(points, 0.05, 0.1, 0.05, 0.1, 0.005, Material::sand, nan);
+  fill(points, 0.05, 0.1, 0.05, 0.1, 0.005, sand, nan);
   const Raster raster(points, {0.1, 0.0, 0.2}, 50, 100);
   EXPECT_FALSE(raster.material(5, 10));
   EXPECT_TRUE(std::isnan(raster.value(0, 5, 10)));
-  EXPECT_TRUE(std::isnan(raster.sand_or_clay(5, 10)));
-  EXPECT_EQ(raster.material(35, 35), Material::sand);
+  EXPECT_TRUE(std::isnan(raster.first_or_second({sand, clay}, 5, 10)));
+  EXPECT_EQ(raster.material(35, 35), sand);
   EXPECT_TRUE(std::isnan(raster.value(0, 35, 35))) << "sand, but without this quantity";
 }
 
 View a_view(const char* quantity, ColourScale scale) {
   View view;
   view.title = "Sand";
-  view.geometry = {0.0127, 0.022, 0.09, 0.45, 1.0, false, {{0.0, 1.0, "sand"}}};
+  view.geometry = {0.0127, 0.022, 0.09, 0.45, 1.0, false, {{0.0, 1.0, "sand"}}, 2};
   view.profile = {{0.1, 0.2, 0.3}, {1e6, 2e6, 3e6}, {0.0, 0.0, 0.0}};
   view.radius = 0.1;
   view.panels = {{find_view_quantity(quantity), scale}};
@@ -178,8 +181,8 @@ TEST(Frame, PanelShowsKnownValuesInTheirExactColours) {
   const double tip = 0.2;
   const Window window = window_at(view.geometry, view.radius, tip);
   DrawnPoints points;
-  fill(points, 0.0, 0.06, 0.1, 0.4, 0.002, Material::sand, 50.0);
-  fill(points, 0.06, 0.12, 0.1, 0.4, 0.002, Material::sand, 400.0);
+  fill(points, 0.0, 0.06, 0.1, 0.4, 0.002, sand, 50.0);
+  fill(points, 0.06, 0.12, 0.1, 0.4, 0.002, sand, 400.0);
 
   const Picture picture = render(frame(view, layout, tip, points), 72.0 * layout.pixels_per_point, "frame");
   EXPECT_EQ(picture.width, 500);
@@ -202,8 +205,8 @@ TEST(Frame, SurchargeAndEmptyPlacesHaveNoColourOfTheScale) {
   const ColourScale scale{ColourMap::viridis, ScaleKind::linear, 0.0, 1.0};
   const View view = a_view("void_ratio", scale);
   DrawnPoints points;
-  fill(points, 0.0, 0.05, 0.0, 0.1, 0.002, Material::sand, 0.5);
-  fill(points, 0.0, 0.05, -0.1, 0.0, 0.002, Material::surcharge, nan);
+  fill(points, 0.0, 0.05, 0.0, 0.1, 0.002, sand, 0.5);
+  fill(points, 0.0, 0.05, -0.1, 0.0, 0.002, surcharge, nan);
   const Window window{0.1, -0.1, 0.1};
   const Picture picture = panel_picture(view, 0, Raster(points, window, 100, 200), window);
   EXPECT_EQ(picture.at(20, 150), scale(0.5).value());
@@ -219,7 +222,7 @@ TEST(Frame, GridLinesMoveWithTheSoil) {
   // Dark rows of pixels along a column that lies between the lines of constant radius.
   const auto dark_rows = [&](double moved_down) {
     DrawnPoints points;
-    fill(points, 0.0, 0.1, 0.0, 0.2, 0.002, Material::sand, 0.0);
+    fill(points, 0.0, 0.1, 0.0, 0.2, 0.002, sand, 0.0);
     points.fields[2].assign(points.r.size(), moved_down);
     const Picture picture = panel_picture(view, 0, Raster(points, window, 100, 200), window);
     std::vector<int> rows;
@@ -240,8 +243,8 @@ TEST(Frame, GridLinesMoveWithTheSoil) {
 TEST(Frame, SoilBoundaryIsDrawn) {
   const ColourScale scale{ColourMap::viridis, ScaleKind::linear, 0.0, 1.0};
   DrawnPoints points;
-  fill(points, 0.0, 0.1, 0.0, 0.1, 0.005, Material::sand, 0.8);
-  fill(points, 0.0, 0.1, 0.1, 0.2, 0.005, Material::clay, 0.2);
+  fill(points, 0.0, 0.1, 0.0, 0.1, 0.005, sand, 0.8);
+  fill(points, 0.0, 0.1, 0.1, 0.2, 0.005, clay, 0.2);
   const Window window{0.1, 0.0, 0.2};
   const Picture picture =
       panel_picture(a_view("void_ratio", scale), 0, Raster(points, window, 100, 200), window);
@@ -291,7 +294,7 @@ TEST(Quantities, ComeFromTheStoredArraysInTheirUnits) {
   EXPECT_EQ(drawn.fields[5][0], 0.004) << "downward";
   EXPECT_DOUBLE_EQ(drawn.size[0], 0.01);
   EXPECT_EQ(drawn.depth[0], 0.2);
-  EXPECT_EQ(drawn.material[1], Material::surcharge);
+  EXPECT_EQ(drawn.material[1], surcharge);
 
   view.panels = {{find_view_quantity("q"), {}}};
   EXPECT_THROW((void)drawn_points(view, points), results::Error);

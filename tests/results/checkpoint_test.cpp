@@ -11,6 +11,7 @@
 #include "results/provenance.hpp"
 #include "solver/presets.hpp"
 #include "tests/results/campaign_fixture.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::results {
 namespace {
@@ -54,7 +55,7 @@ TEST_F(Checkpoint, KeepsEveryBit) {
 TEST_F(Checkpoint, OfOtherSettingsIsRefused) {
   write_checkpoint(file(), setup, state);
   solver::Setup other = setup;
-  other.sand.nu += 1e-15;
+  solver::sand_of(other).nu += 1e-15;
   EXPECT_TRUE(says(refusal(other), "made with the settings " + settings_hash(setup))) << refusal(other);
   EXPECT_EQ(refusal(setup), "");
 }

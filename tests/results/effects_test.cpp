@@ -10,6 +10,7 @@
 #include "parameters/read_study.hpp"
 #include "results/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::results {
 namespace {
@@ -42,8 +43,9 @@ class EffectsOf : public ScratchFolder {
       if (failing.contains("pending " + name)) continue;
       const solver::Setup setup = make_setup(study, realization);
       const double wall = setup.chamber.wall == solver::Wall::rigid ? 1.0 : 0.0;
-      const double level = 1e6 * setup.sand.nu + 1e4 * setup.sand.H + 5e4 * wall +
-                           4e3 * setup.sand.nu * setup.sand.H + 1e3 * setup.numerics.point_shift;
+      const double level = 1e6 * solver::sand_of(setup).nu + 1e4 * solver::sand_of(setup).H + 5e4 * wall +
+                           4e3 * solver::sand_of(setup).nu * solver::sand_of(setup).H +
+                           1e3 * setup.numerics.point_shift;
       ledger.record(realization.id, failing.contains(name)
                                         ? failed(solver::Status::did_not_converge, "made up")
                                         : completed(level));

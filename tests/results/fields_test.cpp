@@ -49,13 +49,14 @@ class Fields : public ScratchFolder {
     now[1].z -= 0.003;
     now[1].e = 0.75;
     now[1].v_z = -0.04;
-    now[2].material = solver::Material::clay;
+    now[2].material = 1;
   }
   std::vector<solver::PointState> start, now;
 };
 
 TEST_F(Fields, HoldEveryPointWithItsNumbers) {
-  FieldSeries series(folder / "fields", "sand", "program 1, settings <a--b> & \"c\"");
+  FieldSeries series(folder / "fields", "sand", "program 1, settings <a--b> & \"c\"",
+                     point_quantities(solver::Setup{}));
   series.add(0.2, 0.20001, now, start);
   const std::string vtu = bytes_of(folder / "fields" / "sand-0.2m.vtu");
   EXPECT_EQ(attribute(vtu, "<Piece", "NumberOfPoints"), "3");
@@ -81,7 +82,7 @@ TEST_F(Fields, HoldEveryPointWithItsNumbers) {
 }
 
 TEST_F(Fields, DescribeVerticesOfAnUnstructuredGrid) {
-  FieldSeries series(folder, "sand", "origin");
+  FieldSeries series(folder, "sand", "origin", point_quantities(solver::Setup{}));
   series.add(0.2, 0.2, now, start);
   const std::string vtu = bytes_of(folder / "sand-0.2m.vtu");
   EXPECT_EQ(numbers<std::int64_t>(vtu, "\"connectivity\""), (std::vector<std::int64_t>{0, 1, 2}));
@@ -91,7 +92,7 @@ TEST_F(Fields, DescribeVerticesOfAnUnstructuredGrid) {
 }
 
 TEST_F(Fields, SeriesListsItsFilesInOrder) {
-  FieldSeries series(folder, "sand", "origin");
+  FieldSeries series(folder, "sand", "origin", point_quantities(solver::Setup{}));
   series.add(0.2, 0.20001, now, start);
   series.add(0.35, 0.35002, now, start);
   const std::string pvd = bytes_of(series.file());
@@ -102,8 +103,8 @@ TEST_F(Fields, SeriesListsItsFilesInOrder) {
 }
 
 TEST_F(Fields, AreReadBackToTheSameBits) {
-  now[0].p_i = std::numeric_limits<double>::quiet_NaN();
-  FieldSeries series(folder, "sand", "settings <a--b>");
+  now[0].h_0 = std::numeric_limits<double>::quiet_NaN();
+  FieldSeries series(folder, "sand", "settings <a--b>", point_quantities(solver::Setup{}));
   series.add(0.2, 0.20000000000000004, now, start);
   series.add(0.35, 0.35002, start, start);
   const std::vector<VtkFrame> frames = read_pvd(series.file());
@@ -126,7 +127,7 @@ TEST_F(Fields, AreReadBackToTheSameBits) {
 }
 
 TEST_F(Fields, DamagedFilesAreNamed) {
-  FieldSeries series(folder, "sand", "origin");
+  FieldSeries series(folder, "sand", "origin", point_quantities(solver::Setup{}));
   series.add(0.2, 0.2, now, start);
   const std::filesystem::path good = folder / "sand-0.2m.vtu", bad = folder / "bad.vtu";
   const std::string whole = bytes_of(good);
@@ -152,12 +153,12 @@ TEST_F(Fields, DamagedFilesAreNamed) {
 TEST_F(Fields, UnwritablePlaceIsNamed) {
   std::ofstream(folder / "file") << "no folder";
   try {
-    FieldSeries(folder / "file" / "fields", "sand", "origin");
+    FieldSeries(folder / "file" / "fields", "sand", "origin", point_quantities(solver::Setup{}));
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("fields"), std::string::npos) << error.what();
   }
-  FieldSeries series(folder / "fields", "sand", "origin");
+  FieldSeries series(folder / "fields", "sand", "origin", point_quantities(solver::Setup{}));
   std::filesystem::create_directories(folder / "fields" / "sand-0.2m.vtu");
   EXPECT_THROW(series.add(0.2, 0.2, now, start), Error);
 }

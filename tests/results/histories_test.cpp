@@ -14,7 +14,8 @@ std::vector<solver::PointState> chamber() {
   std::vector<solver::PointState> points = {point(1, 0.1, 0.25),  point(2, 0.1, 0.75),  point(3, 0.4, 0.125),
                                             point(4, 0.4, 0.375), point(5, 0.4, 0.625), point(6, 0.4, 0.875),
                                             point(7, 0.4, -0.125)};
-  points.back().material = solver::Material::surcharge;
+  points.back().material = 2;
+  points.back().surcharge = true;
   return points;
 }
 
@@ -24,14 +25,14 @@ solver::MaterialPoints stored(const std::vector<solver::PointState>& states) {
   for (const solver::PointState& s : states) {
     const double volume_per_radian = s.volume / (2.0 * 3.14159265358979323846);
     points.push_back({{s.r, s.z, s.v_r, s.v_z, s.s_rr, s.s_zz, s.s_tt, s.s_rz, 1.0, volume_per_radian, s.e,
-                       s.p_i, 0.0, 0.0, 0.0, static_cast<double>(s.id)}});
+                       s.h_0, 0.0, 0.0, 0.0, static_cast<double>(s.id)}});
     buckets.push_back(static_cast<std::int32_t>(s.material));
   }
-  return {points, buckets, 1};
+  return {points, buckets, 1, 3};
 }
 
 TEST(HistoryRecorder, FollowsTheNearestPointsOfTheSoil) {
-  const HistoryRecorder recorder({{0.12, 0.7}, {0.4, 0.0}}, {{0.1, 0.5}, {0.49, 0.51}}, chamber());
+  const HistoryRecorder recorder({{0.12, 0.7}, {0.4, 0.0}}, {{0.1, 0.5}, {0.49, 0.51}}, chamber(), {});
   const Histories& chosen = recorder.histories();
   ASSERT_EQ(chosen.points.size(), 2U);
   EXPECT_EQ(chosen.points[0].id, 2);
@@ -44,7 +45,7 @@ TEST(HistoryRecorder, FollowsTheNearestPointsOfTheSoil) {
 
 TEST(HistoryRecorder, RowsHoldEveryQuantityAndWallStressesArePositiveInCompression) {
   std::vector<solver::PointState> states = chamber();
-  HistoryRecorder recorder({{0.1, 0.75}}, {{0.1, 0.5}}, states);
+  HistoryRecorder recorder({{0.1, 0.75}}, {{0.1, 0.5}}, states, {});
   recorder.add(0.02, stored(states));
   states[1].z -= 0.01;
   states[1].e += 0.05;
@@ -56,7 +57,7 @@ TEST(HistoryRecorder, RowsHoldEveryQuantityAndWallStressesArePositiveInCompressi
   EXPECT_EQ(histories.tip_depth, (std::vector<double>{0.02, 0.03}));
   const HistoryColumns& tracked = histories.points[0].columns;
   std::size_t columns = 0;
-  for (const PointQuantity& quantity : point_quantities())
+  for (const PointQuantity& quantity : point_quantities({}))
     columns += std::max<std::size_t>(1, quantity.components.size());
   EXPECT_EQ(tracked.size(), columns);
   EXPECT_EQ(tracked.at("displacement_r").values, (std::vector<double>{0.0, 0.0}));
@@ -77,7 +78,7 @@ TEST(HistoryRecorder, RowsHoldEveryQuantityAndWallStressesArePositiveInCompressi
 class HistoryFile : public ScratchFolder {
  protected:
   HistoryFile() {
-    HistoryRecorder recorder({{0.1, 0.75}, {0.4, 0.1}}, {{0.1, 0.5}}, chamber());
+    HistoryRecorder recorder({{0.1, 0.75}, {0.4, 0.1}}, {{0.1, 0.5}}, chamber(), {});
     for (const double depth : {0.02, 0.03, 0.04}) recorder.add(depth, stored(chamber()));
     written = recorder.histories();
     written.origin["study"] = "sand";

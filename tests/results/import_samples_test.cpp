@@ -8,6 +8,7 @@
 #include "results/import_results.hpp"
 #include "results/samples.hpp"
 #include "tests/results/campaign_fixture.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::results {
 namespace {
@@ -112,7 +113,8 @@ TEST_F(ImportSamples, AStraightLineHasItsEffects) {
     for (const parameters::Realization& r : parameters::one_at_a_time(made)) {
       const solver::Setup setup = make_setup(made, r);
       samples.push_back(sample(fmt::format("run {}", r.id), {},
-                               2000.0 + 240.0 * setup.sand.nu + 30.0 * setup.numerics.face_elements +
+                               2000.0 + 240.0 * solver::sand_of(setup).nu +
+                                   30.0 * setup.numerics.face_elements +
                                    (setup.chamber.wall == solver::Wall::rigid ? 0.0 : 50.0)));
       for (const parameters::Row& row : made.rows)
         samples.back().changes.push_back({row.quantity, row.quantity->value(setup)});

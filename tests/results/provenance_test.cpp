@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "solver/presets.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::results {
 namespace {
@@ -20,7 +21,7 @@ TEST(Provenance, SettingsHashSeesTheLastBitOfAnInput) {
   const auto setup = solver::make_setup(solver::Profile::homogeneous_clay, solver::Preset::quick);
   auto other = setup;
   EXPECT_EQ(settings_hash(setup), settings_hash(other));
-  other.clay.s_u = std::nextafter(other.clay.s_u, 1.0e9);
+  solver::clay_of(other).s_u = std::nextafter(solver::clay_of(other).s_u, 1.0e9);
   EXPECT_NE(settings_hash(setup), settings_hash(other));
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 class Recorded : public ScratchFolder {
  protected:
-  FieldSeries fields{folder / "fields", "sand", "origin"};
+  FieldSeries fields{folder / "fields", "sand", "origin", point_quantities(solver::Setup{})};
   solver::Setup setup = short_push();
 };
 

@@ -24,7 +24,7 @@ inline solver::PointState point(std::int64_t id, double r, double depth, double 
   state.s_tt = state.s_rr;
   state.volume = r;
   state.e = e;
-  state.p_i = 5e3;
+  state.h_0 = 5e3;
   return state;
 }
 

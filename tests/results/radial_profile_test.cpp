@@ -16,7 +16,8 @@ TEST(RadialProfile, AveragesRingsByVolumeBetweenTheDepths) {
   std::vector<solver::PointState> start = {point(1, 0.05, 0.3, 0.7), point(2, 0.08, 0.3, 0.7),
                                            point(3, 0.25, 0.3, 0.7), point(4, 0.25, 0.1, 0.7),
                                            point(5, 0.25, -0.3, 0.7)};
-  start[4].material = solver::Material::surcharge;
+  start[4].material = 2;
+  start[4].surcharge = true;
   std::vector<solver::PointState> now = start;
   now[0].volume = 1.0;
   now[0].e = 0.8;

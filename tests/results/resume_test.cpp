@@ -12,6 +12,7 @@
 #include "results/provenance.hpp"
 #include "results/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::results {
 namespace {
@@ -355,7 +356,7 @@ TEST_F(Resume, MovedWindowIsAveragedAnewFromStoredCurves) {
 TEST_F(Resume, AnotherStudysResultsAreNotDestroyed) {
   { open(study).record(1, completed(1e6)); }
   study.name = "clay";
-  study.baseline.sand.H = 30;
+  solver::sand_of(study.baseline).H = 30;
   const std::string before = dump_without_times(study.database);
   const std::string message = message_of([&] { open(study); });
   EXPECT_NE(message.find("'sand'"), std::string::npos) << message;

@@ -14,7 +14,8 @@ class Stored : public ScratchFolder {
   // FOLDER/NAME-fields with two depths, and the histories beside it.
   void store(const std::string& name, const std::string& hash = "abc") const {
     const std::vector<solver::PointState> points = {point(1, 0.1, 0.2)};
-    FieldSeries series(folder / (name + "-fields"), name, "settings " + hash);
+    FieldSeries series(folder / (name + "-fields"), name, "settings " + hash,
+                       point_quantities(solver::Setup{}));
     series.add(0.1, 0.1, points, points);
     series.add(0.2, 0.2001, points, points);
     Histories histories;

@@ -21,14 +21,14 @@ constexpr double mm = 1.0e-3;
 solver::Setup with_seam(Preset preset, double top, double thickness) {
   solver::Setup setup = make_setup(Profile::homogeneous_sand, preset);
   setup.layers = {
-      {0.0, top, Soil::sand}, {top, top + thickness, Soil::clay}, {top + thickness, 1.0, Soil::sand}};
+      {0.0, top, default_sand}, {top, top + thickness, default_clay}, {top + thickness, 1.0, default_sand}};
   return setup;
 }
 
 /// Thickness of the clay in each zone by the volume of its material points.
 std::vector<double> thickness_by_volume(const solver::Setup& setup) {
   const solver::Setup actual = actual_setup(setup);
-  const InitialState state = initial_state(actual, nullptr);
+  const InitialState state = initial_state(actual, {});
   std::vector<double> thickness;
   for (const PointGrid& grid : point_grids(actual)) {
     double clay = 0.0, lowest = 1.0;
@@ -38,7 +38,7 @@ std::vector<double> thickness_by_volume(const solver::Setup& setup) {
       if (field[0] < grid.inner || field[0] >= grid.outer) continue;
       row[field[1]] += field[9];
       lowest = std::min(lowest, field[1]);
-      if (state.material[k] == static_cast<std::int32_t>(Material::clay)) clay += field[9];
+      if (state.material[k] == static_cast<std::int32_t>(default_clay)) clay += field[9];
     }
     thickness.push_back(clay / row.at(lowest) * grid.dz);
   }

@@ -10,7 +10,7 @@ namespace cpt::solver {
 namespace {
 
 TEST(MaterialPoints, KeepsEveryPointThroughManyMoves) {
-  const std::int32_t cells = 20;
+  const std::int32_t cells = 20, materials = 3;
   std::vector<Point> points;
   std::vector<std::int32_t> bucket_of;
   for (std::uint32_t i = 0; i < 300; ++i) {
@@ -18,15 +18,15 @@ TEST(MaterialPoints, KeepsEveryPointThroughManyMoves) {
     for (int f = 0; f < field_count; ++f) p.field[f] = i * 100.0 + f;
     p.field[15] = i;  // id
     points.push_back(p);
-    bucket_of.push_back(static_cast<std::int32_t>(i % 7) * material_count + static_cast<std::int32_t>(i % 3));
+    bucket_of.push_back(static_cast<std::int32_t>(i % 7) * materials + static_cast<std::int32_t>(i % 3));
   }
-  MaterialPoints store(points, bucket_of, cells);
+  MaterialPoints store(points, bucket_of, cells, materials);
   std::mt19937 random(3);
   for (int move = 0; move < 5000; ++move) {
-    const auto from = static_cast<std::int32_t>(random() % (cells * material_count));
+    const auto from = static_cast<std::int32_t>(random() % (cells * materials));
     if (store.bucket(from).count == 0) continue;
     const auto slot = static_cast<std::int32_t>(random() % static_cast<unsigned>(store.bucket(from).count));
-    auto to = static_cast<std::int32_t>(random() % (cells * material_count));
+    auto to = static_cast<std::int32_t>(random() % (cells * materials));
     if (to == from) continue;
     store.move(from, slot, to);
   }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/solver/default_soils.hpp"
+
 namespace cpt::solver {
 namespace {
 
@@ -49,17 +51,17 @@ TEST(Presets, FineHalvesTheCellsAtTheCone) {
 TEST(Presets, ProfilesDifferFromThePaperInNothingButTheirResolution) {
   for (const Preset preset : all_presets()) {
     const solver::Setup sand = make_setup(Profile::homogeneous_sand, preset);
-    EXPECT_EQ(sand.sand.D_r, 0.36);
+    EXPECT_EQ(sand_of(sand).D_r, 0.36);
     EXPECT_GT(sand.penetrometer.final_depth, 0.5255);  // end of the window
-    EXPECT_TRUE(contains(sand, Soil::sand));
-    EXPECT_FALSE(contains(sand, Soil::clay));
+    EXPECT_TRUE(contains(sand, default_sand));
+    EXPECT_FALSE(contains(sand, default_clay));
 
     const solver::Setup clay = make_setup(Profile::homogeneous_clay, preset);
     EXPECT_GT(clay.penetrometer.final_depth, 0.5255);
-    EXPECT_FALSE(contains(clay, Soil::sand));
+    EXPECT_FALSE(contains(clay, default_sand));
 
     const solver::Setup layered = make_setup(Profile::layered_sand_clay, preset);
-    EXPECT_EQ(layered.sand.D_r, 0.29);
+    EXPECT_EQ(sand_of(layered).D_r, 0.29);
     EXPECT_GT(layered.penetrometer.final_depth, 0.3094);
     for (const solver::Setup& setup : {sand, clay, layered}) {
       EXPECT_EQ(setup.initial.sigma_v0, 50.0e3);
@@ -73,7 +75,7 @@ TEST(Presets, LayersAlternateAndAre40MillimetresThick) {
   const solver::Setup setup = make_setup(Profile::layered_sand_clay, Preset::paper);
   ASSERT_EQ(setup.layers.size(), 11u);
   for (std::size_t i = 0; i < setup.layers.size(); ++i) {
-    EXPECT_EQ(setup.layers[i].soil, i % 2 == 0 ? Soil::sand : Soil::clay);
+    EXPECT_EQ(setup.layers[i].soil, i % 2 == 0 ? default_sand : default_clay);
     if (i > 0 && i + 1 < setup.layers.size()) {
       EXPECT_NEAR(setup.layers[i].bottom - setup.layers[i].top, 0.04, 1e-12);
     }

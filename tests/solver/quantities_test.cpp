@@ -10,6 +10,7 @@
 #include "solver/mechanisms/catalogue.hpp"
 #include "solver/presets.hpp"
 #include "solver/quantity_synonyms.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -48,21 +49,22 @@ constexpr std::size_t member_count() {
 }
 
 TEST(Quantities, EveryInputOfTheSetupIsListed) {
-  std::map<std::string_view, std::size_t> listed;
+  std::map<std::string, std::size_t> listed;
   std::size_t of_mechanisms = 0;
   for (const Quantity& q : all_quantities())
     if (is_mechanism_parameter(q.name))
       ++of_mechanisms;
     else
       ++listed[q.name.substr(0, q.name.find('.'))];
-  EXPECT_EQ(listed["sand"], member_count<Sand>());
-  EXPECT_EQ(listed["clay"], member_count<Clay>());
+  EXPECT_EQ(listed["sand"], member_count<NorSandParameters>());
+  EXPECT_EQ(listed["clay"], member_count<TrescaParameters>());
   EXPECT_EQ(listed["contact"], member_count<Contact>());
   EXPECT_EQ(listed["chamber"], member_count<Chamber>());
   EXPECT_EQ(listed["initial"], member_count<InitialStress>());
   EXPECT_EQ(listed["penetrometer"], member_count<Penetrometer>());
   EXPECT_EQ(listed["numerics"], member_count<Numerics>() - 1);  // all but the zones
-  EXPECT_EQ(listed.size() + 2, member_count<solver::Setup>());  // all but the layers and the mechanisms
+  // All but the soils, the layers and the mechanisms.
+  EXPECT_EQ(listed.size() - solver::Setup{}.soils.size() + 3, member_count<solver::Setup>());
   EXPECT_EQ(all_mechanisms().size(), member_count<Mechanisms>());
   // Every field of a mechanism is a double.
   EXPECT_EQ(of_mechanisms * sizeof(double), sizeof(Mechanisms));
@@ -106,9 +108,9 @@ TEST(Quantities, StudyUnitsBecomeSI) {
   quantity("chamber.radius_m").set_value(setup, 0.3);
   quantity("numerics.face_elements").set_value(setup, 4.0);
   quantity("chamber.wall").set_value(setup, 0.0);
-  EXPECT_DOUBLE_EQ(setup.clay.s_u, 30500.0);
-  EXPECT_DOUBLE_EQ(setup.sand.phi_cs, 31.0 * std::acos(-1.0) / 180.0);
-  EXPECT_DOUBLE_EQ(setup.sand.D_r, 0.6);
+  EXPECT_DOUBLE_EQ(clay_of(setup).s_u, 30500.0);
+  EXPECT_DOUBLE_EQ(sand_of(setup).phi_cs, 31.0 * std::acos(-1.0) / 180.0);
+  EXPECT_DOUBLE_EQ(sand_of(setup).D_r, 0.6);
   EXPECT_DOUBLE_EQ(setup.penetrometer.apex, std::acos(-1.0) / 2.0);
   EXPECT_DOUBLE_EQ(setup.chamber.radius, 0.3);
   EXPECT_EQ(setup.numerics.face_elements, 4);
@@ -180,7 +182,7 @@ TEST(CanonicalText, ChangesWithEveryInput) {
   };
   expect_change([](solver::Setup& s) { s.layers[1].top = 0.24; }, "top of a layer");
   expect_change([](solver::Setup& s) { s.layers[1].bottom = 0.28; }, "bottom of a layer");
-  expect_change([](solver::Setup& s) { s.layers[1].soil = Soil::sand; }, "soil of a layer");
+  expect_change([](solver::Setup& s) { s.layers[1].soil = default_sand; }, "soil of a layer");
   expect_change([](solver::Setup& s) { s.layers.pop_back(); }, "number of layers");
   expect_change([](solver::Setup& s) { s.numerics.zones[0].outer_radius = 0.031; }, "radius of a zone");
   expect_change([](solver::Setup& s) { s.numerics.zones[0].columns += 1; }, "columns of a zone");

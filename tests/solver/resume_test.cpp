@@ -44,7 +44,7 @@ Setup shallow(Profile profile) {
 
 Setup thin_layers() {
   Setup setup = shallow(Profile::layered_sand_clay);
-  setup.layers = {{0.0, 0.03, Soil::sand}, {0.03, 0.06, Soil::clay}, {0.06, 1.0, Soil::sand}};
+  setup.layers = {{0.0, 0.03, default_sand}, {0.03, 0.06, default_clay}, {0.06, 1.0, default_sand}};
   return setup;
 }
 

@@ -7,6 +7,7 @@
 
 #include "solver/presets.hpp"
 #include "solver/quantities.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -42,22 +43,24 @@ struct Impossible {
 
 TEST(Problems, ImpossibleSetups) {
   const std::vector<Impossible> table = {
-      {"sand.e_min", "sand.e_max = 0.89", [](solver::Setup& s) { s.sand.e_min = 0.95; }},
+      {"sand.e_min", "sand.e_max = 0.89", [](solver::Setup& s) { sand_of(s).e_min = 0.95; }},
       {"sand.e_min_star", "0.3100",
-       [](solver::Setup& s) { s.sand.e_min = 0.3, s.sand.D_r = 0.983, s.sand.e_min_star = 0.4; }},
+       [](solver::Setup& s) { sand_of(s).e_min = 0.3, sand_of(s).D_r = 0.983, sand_of(s).e_min_star = 0.4; }},
       {"sand.p_min_kPa", "sand.p_min_kPa = 4",
        [](solver::Setup& s) {
-         s.sand.p_min = 4.0e3, s.initial.sigma_v0 = 3.0e3, s.initial.sigma_h0 = 3.0e3;
+         sand_of(s).p_min = 4.0e3, s.initial.sigma_v0 = 3.0e3, s.initial.sigma_h0 = 3.0e3;
        }},
       {"sand.e_cs0", "must exceed",
-       [](solver::Setup& s) { s.sand.lambda = 0.1, s.sand.e_cs0 = 0.5, s.sand.e_min_star = 0.48; }},
+       [](solver::Setup& s) {
+         sand_of(s).lambda = 0.1, sand_of(s).e_cs0 = 0.5, sand_of(s).e_min_star = 0.48;
+       }},
       {"initial.sigma_h0_kPa", "K_0 = 0.2", [](solver::Setup& s) { s.initial.sigma_h0 = 10.0e3; }},
       {"initial.sigma_h0_kPa", "K_0 = 6",
-       [](solver::Setup& s) { s.initial.sigma_h0 = 300.0e3, s.clay.s_u = 900.0e3; }},
-      {"initial.sigma_h0_kPa", "clay.s_u_kPa = 12", [](solver::Setup& s) { s.clay.s_u = 12.0e3; }},
+       [](solver::Setup& s) { s.initial.sigma_h0 = 300.0e3, clay_of(s).s_u = 900.0e3; }},
+      {"initial.sigma_h0_kPa", "clay.s_u_kPa = 12", [](solver::Setup& s) { clay_of(s).s_u = 12.0e3; }},
       // Of 50 kPa on top its friction leaves about 36 at 0.23 m: 9 kPa of K_0 with 13 of friction.
       {"wall_friction.coefficient", "clay.s_u_kPa = 14",
-       [](solver::Setup& s) { s.clay.s_u = 14.0e3, s.mechanisms.wall_friction.coefficient = 0.7; }},
+       [](solver::Setup& s) { clay_of(s).s_u = 14.0e3, s.mechanisms.wall_friction.coefficient = 0.7; }},
       {"layers", "no layer", [](solver::Setup& s) { s.layers.clear(); }},
       {"layers", "starts at 0.01 m", [](solver::Setup& s) { s.layers.front().top = 0.01; }},
       {"layers", "starts at 0.23 m", [](solver::Setup& s) { s.layers.front().bottom = 0.22; }},
@@ -108,7 +111,7 @@ TEST(Problems, ImpossibleSetups) {
 TEST(Problems, BoundsOnK0OfSand) {
   const auto borne = [](double K_0, double D_r) {
     solver::Setup setup = make_setup(Profile::homogeneous_sand, Preset::quick);
-    setup.sand.D_r = D_r;
+    sand_of(setup).D_r = D_r;
     setup.initial.sigma_h0 = K_0 * setup.initial.sigma_v0;
     return problems(setup).empty();
   };
@@ -149,10 +152,10 @@ TEST(Problems, ARefusedK0NamesTheHorizontalStressesThatDo) {
 
 TEST(Problems, OnlySoilsOfTheProfileAreJudged) {
   solver::Setup setup = make_setup(Profile::homogeneous_clay, Preset::quick);
-  setup.sand.e_min = 0.95;
+  sand_of(setup).e_min = 0.95;
   EXPECT_TRUE(problems(setup).empty());
   setup = make_setup(Profile::homogeneous_sand, Preset::quick);
-  setup.clay.s_u = 1.0e3;
+  clay_of(setup).s_u = 1.0e3;
   EXPECT_TRUE(problems(setup).empty());
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/presets.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -28,7 +29,7 @@ class EveryProfile : public ::testing::TestWithParam<Profile> {};
 TEST_P(EveryProfile, GivesTheSameBitsForAnyNumberOfThreads) {
   solver::Setup setup = short_push(GetParam());
   if (GetParam() == Profile::layered_sand_clay)
-    setup.layers = {{0.0, 0.03, Soil::sand}, {0.03, 0.06, Soil::clay}, {0.06, 1.0, Soil::sand}};
+    setup.layers = {{0.0, 0.03, default_sand}, {0.03, 0.06, default_clay}, {0.06, 1.0, default_sand}};
   const Outcome one = run(setup, 1), two = run(setup, 2), three = run(setup, 3);
   ASSERT_EQ(one.status, Status::completed) << one.reason;
   EXPECT_GT(one.profile.q_c.size(), 15U);
@@ -68,7 +69,7 @@ TEST(Simulate, FlexibleWallAndTractionRun) {
 
 TEST(Simulate, ImpossibleInputIsAnOutcome) {
   solver::Setup setup = short_push(Profile::homogeneous_sand);
-  setup.sand.nu = 0.7;
+  sand_of(setup).nu = 0.7;
   const Outcome outcome = run(setup);
   EXPECT_EQ(outcome.status, Status::invalid_parameters);
   EXPECT_NE(outcome.reason.find("sand.nu"), std::string::npos) << outcome.reason;

@@ -18,7 +18,7 @@ class Cylinder {
 
   /// Opens the cavity to radius `to` in time `duration` [s]; returns the total pressure in it at the end
   /// [Pa], averaged over the last twentieth.
-  double expand(Laws laws, Material material, double to, double duration) {
+  double expand(std::unique_ptr<const SoilModel> soil, double to, double duration) {
     const double height = 0.05, density = 2000.0;
     MeshLayout layout = plain_layout(r0_, lines(0.0, height, 2));
     ModelSettings settings;
@@ -28,8 +28,8 @@ class Cylinder {
     Mesh mesh(layout);
     std::vector<Point> points =
         fill(mesh, 4, density, [this](Point& p) { p.field[4] = p.field[5] = p.field[6] = -p_0_; });
-    Model model(mesh, points, std::vector<std::int32_t>(points.size(), static_cast<std::int32_t>(material)),
-                std::move(laws), settings);
+    Model model(mesh, points, std::vector<std::int32_t>(points.size(), 0), one_soil(std::move(soil)),
+                settings);
 
     double t = 0.0, a = a_, impulse = 0.0, time = 0.0;
     std::vector<double> r = r0_;

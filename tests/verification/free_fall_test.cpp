@@ -8,7 +8,6 @@ namespace {
 
 TEST(FreeFall, KeepsMassMomentumAndShape) {
   ModelSettings settings;
-  settings.weight_ratio[2] = 1.0;
   MeshLayout layout = plain_layout(lines(0.0, 0.4, 4), lines(0.0, 2.0, 20));
   const double top = 1.95, bottom = 1.05, density = 1800.0;
   // Points only in part of the mesh; v_r = 0 and one vertical velocity.
@@ -17,10 +16,9 @@ TEST(FreeFall, KeepsMassMomentumAndShape) {
   for (const Point& p : fill(mesh, 3, density))
     if (p.field[1] > bottom && p.field[1] < top) points.push_back(p);
   for (Point& p : points) p.field[3] = 0.3;
-  Laws laws;
-  laws.surcharge.emplace(1e6, 0.3);
   settings.courant = 0.5;
-  Model model(mesh, points, std::vector<std::int32_t>(points.size(), 2), std::move(laws), settings);
+  Model model(mesh, points, std::vector<std::int32_t>(points.size(), 0), one_soil(elastic_soil(1e6, 0.3)),
+              settings);
 
   double mass0 = 0.0;
   for (const Point& p : points) mass0 += p.field[8];

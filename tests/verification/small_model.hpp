@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/model.hpp"
+#include "solver/soils/elastic.hpp"
 
 namespace cpt::solver::test {
 
@@ -55,17 +56,21 @@ inline std::vector<Point> fill(
   return points;
 }
 
+/// Material 0.
+inline SoilModels one_soil(std::unique_ptr<const SoilModel> soil) {
+  SoilModels soils;
+  soils.push_back(std::move(soil));
+  return soils;
+}
+
 /// A model of one linear elastic material.
 inline Model elastic_model(
     const MeshLayout& layout, double E, double nu, double density, const ModelSettings& settings,
     int per_cell = 3, const std::function<void(Point&)>& set = [](Point&) {}) {
   Mesh mesh(layout);
   const std::vector<Point> points = fill(mesh, per_cell, density, set);
-  Laws laws;
-  laws.surcharge.emplace(E, nu);
-  return Model(mesh, points,
-               std::vector<std::int32_t>(points.size(), static_cast<std::int32_t>(Material::surcharge)),
-               std::move(laws), settings);
+  return Model(mesh, points, std::vector<std::int32_t>(points.size(), 0), one_soil(elastic_soil(E, nu)),
+               settings);
 }
 
 /// Calls function(fields, index in bucket) for every material point.

@@ -19,7 +19,7 @@ struct Specimen {
 // times the largest q.
 TriaxialCurve measured(const Specimen& specimen, double spacing, double noise, unsigned seed = 1) {
   solver::ElementTest test;
-  solver::Sand sand;
+  solver::NorSandParameters sand;
   sand.D_r = specimen.D_r;
   sand.H = specimen.H;
   test.material = sand;
@@ -48,7 +48,7 @@ TriaxialCurve measured(const Specimen& specimen, double spacing, double noise, u
 class Hardening : public ::testing::TestWithParam<Specimen> {};
 
 TEST_P(Hardening, ComesBackFromFineCleanCurvesWithin1Percent) {
-  const HardeningFit fit = fit_hardening(measured(GetParam(), 0.0002, 0.0), solver::Sand{});
+  const HardeningFit fit = fit_hardening(measured(GetParam(), 0.0002, 0.0), solver::NorSandParameters{});
   EXPECT_EQ(fit.problem, "");
   EXPECT_NEAR(fit.H, GetParam().H, 0.01 * GetParam().H);
   EXPECT_LT(fit.misfit, 0.005);
@@ -58,7 +58,8 @@ TEST_P(Hardening, ComesBackFromFineCleanCurvesWithin1Percent) {
 
 TEST_P(Hardening, ComesBackFromCoarseNoisyCurvesWithin10Percent) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    const HardeningFit fit = fit_hardening(measured(GetParam(), 0.001, 0.005, seed), solver::Sand{});
+    const HardeningFit fit =
+        fit_hardening(measured(GetParam(), 0.001, 0.005, seed), solver::NorSandParameters{});
     EXPECT_EQ(fit.problem, "");
     EXPECT_NEAR(fit.H, GetParam().H, 0.10 * GetParam().H) << "seed " << seed << ", readings " << fit.readings;
   }
@@ -72,37 +73,38 @@ INSTANTIATE_TEST_SUITE_P(Tests, Hardening,
 TEST(HardeningFit, OtherParametersStayAtTheirBaseline) {
   // A curve of stiffer elasticity is matched by a larger H, not by what was not to be touched.
   const TriaxialCurve curve = measured({0.51, 160e3, 50}, 0.0005, 0.0);
-  solver::Sand soft;
+  solver::NorSandParameters soft;
   soft.G_ref = 500.0;
   EXPECT_GT(fit_hardening(curve, soft).H, 1.02 * 50);
 }
 
 TEST(HardeningFit, StateBeforeShearing) {
   TriaxialCurve curve = measured({0.80, 320e3, 75}, 0.0005, 0.0);
-  const HardeningFit from_density = fit_hardening(curve, solver::Sand{});
+  const HardeningFit from_density = fit_hardening(curve, solver::NorSandParameters{});
   EXPECT_DOUBLE_EQ(from_density.e_0, 0.890 - 0.80 * (0.890 - 0.552));
   EXPECT_NEAR(from_density.psi_0, from_density.e_0 - (0.90 - 0.012 * std::pow(3.2, 0.7)), 1e-12);
   curve.D_r = not_given;
   curve.e_0 = from_density.e_0;
-  EXPECT_EQ(fit_hardening(curve, solver::Sand{}).H, from_density.H);
+  EXPECT_EQ(fit_hardening(curve, solver::NorSandParameters{}).H, from_density.H);
 }
 
 TEST(HardeningFit, SaysWhyThereIsNoH) {
   TriaxialCurve curve =
       measured({0.80, 320e3, 75}, 0.02, 0.0);  // the second reading is past half of the peak
-  HardeningFit fit = fit_hardening(curve, solver::Sand{});
+  HardeningFit fit = fit_hardening(curve, solver::NorSandParameters{});
   EXPECT_TRUE(std::isnan(fit.H));
   EXPECT_NE(fit.problem.find("readings up to 0.5 of the largest q"), std::string::npos) << fit.problem;
 
   curve = measured({0.80, 320e3, 75}, 0.0005, 0.0);
   curve.p_0 = not_given;
-  EXPECT_NE(fit_hardening(curve, solver::Sand{}).problem.find("not known"), std::string::npos);
+  EXPECT_NE(fit_hardening(curve, solver::NorSandParameters{}).problem.find("not known"), std::string::npos);
 }
 
 TEST(HardeningFit, ABoundIsToldAsSuch) {
   HardeningOptions options;
   options.H_upper = 60.0;
-  const HardeningFit fit = fit_hardening(measured({0.80, 320e3, 75}, 0.0005, 0.0), solver::Sand{}, options);
+  const HardeningFit fit =
+      fit_hardening(measured({0.80, 320e3, 75}, 0.0005, 0.0), solver::NorSandParameters{}, options);
   EXPECT_NEAR(fit.H, 60.0, 0.6);
   EXPECT_NE(fit.problem.find("at the bound"), std::string::npos) << fit.problem;
 }

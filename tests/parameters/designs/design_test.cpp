@@ -12,6 +12,7 @@
 #include "parameters/designs/polynomial_chaos.hpp"
 #include "parameters/designs/sobol.hpp"
 #include "tests/parameters/studies.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -223,7 +224,7 @@ class WholeNumbers : public ::testing::Test {
     Eigen::Index run = 0;
     for (const std::size_t index : design_realizations(study, realizations)) {
       const solver::Setup setup = make_setup(study, realizations[index]);
-      y(run++) = 2000.0 + 240.0 * setup.sand.nu + 30.0 * setup.numerics.face_elements +
+      y(run++) = 2000.0 + 240.0 * solver::sand_of(setup).nu + 30.0 * setup.numerics.face_elements +
                  (setup.chamber.wall == solver::Wall::rigid ? 0.0 : 50.0);
     }
     values.clear();

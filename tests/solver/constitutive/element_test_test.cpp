@@ -18,7 +18,7 @@ TEST(ElementTest, ElasticOedometerAndTriaxial) {
   EXPECT_NEAR(oedometer.p - 100e3, 1e-2 * 10e6 / (3.0 * (1.0 - 2.0 * 0.25)), 1e-6);
   EXPECT_NEAR(oedometer.q, 1e-2 * 10e6 / 1.25, 1e-6);
   EXPECT_NEAR(oedometer.eps_v, 1e-2, 1e-15);
-  EXPECT_TRUE(std::isnan(oedometer.psi_i));
+  EXPECT_TRUE(std::isnan(oedometer.psi));
 
   test.path = ElementPath::triaxial;
   const ElementRow triaxial = run_element_test(test).rows.back();
@@ -34,7 +34,7 @@ TEST(ElementTest, ElasticOedometerAndTriaxial) {
 TEST(ElementTest, ClayFailsAtTwiceItsStrengthDrainedAndUndrained) {
   for (const bool drained : {true, false}) {
     ElementTest test;
-    test.material = Clay{};
+    test.material = TrescaParameters{};
     test.drained = drained;
     test.max_axial_strain = 0.10;
     const ElementResult result = run_element_test(test);
@@ -49,10 +49,10 @@ TEST(ElementTest, StartsFromTheRelativeDensityUnlessToldOtherwise) {
   ElementTest test;
   EXPECT_NEAR(run_element_test(test).rows.front().e, 0.76832, 1e-12);
   test.e_0 = 0.65;
-  test.p_i = 60e3;
+  test.h_0 = 60e3;
   const ElementRow first = run_element_test(test).rows.front();
   EXPECT_EQ(first.e, 0.65);
-  EXPECT_EQ(first.p_i, 60e3);
+  EXPECT_EQ(first.h_0, 60e3);
 }
 
 TEST(ElementTest, StopsAtTheLargestStress) {

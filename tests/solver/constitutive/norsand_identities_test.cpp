@@ -14,7 +14,7 @@ namespace {
 constexpr double M_tc = 1.2;  // 6 sin 30 / (3 - sin 30)
 
 ElementTest drained(double D_r, double p_0, double H) {
-  Sand sand;
+  NorSandParameters sand;
   sand.D_r = D_r;
   sand.H = H;
   sand.substep_tolerance = 1e-7;  // far below what the identities are held to
@@ -32,8 +32,8 @@ TEST(NorSandIdentities, EndsInTheCriticalState) {
   ASSERT_EQ(result.problem, "");
   const ElementRow& last = result.rows.back();
   EXPECT_NEAR(last.q / last.p, M_tc, 1e-7);
-  EXPECT_NEAR(last.e, CriticalStateLine(Sand{}).void_ratio(last.p), 1e-7);
-  EXPECT_NEAR(last.p_i, last.p, 1e-6 * last.p);
+  EXPECT_NEAR(last.e, CriticalStateLine(NorSandParameters{}).void_ratio(last.p), 1e-7);
+  EXPECT_NEAR(last.h_0, last.p, 1e-6 * last.p);
 }
 
 TEST(NorSandIdentities, DrainedTriaxialStaysOnItsLine) {
@@ -51,9 +51,10 @@ TEST(NorSandIdentities, PeakStressRatio) {
     const auto peak =
         std::max_element(result.rows.begin(), result.rows.end(),
                          [](const ElementRow& a, const ElementRow& b) { return a.q / a.p < b.q / b.p; });
-    const double slope = CriticalStateLine(Sand{}).slope(peak->p_i);
+    const CriticalStateLine line(NorSandParameters{});
+    const double slope = line.slope(peak->h_0);
     const double chi_i = 2.7 / (1.0 - slope * 2.7 / M_tc);
-    const double eta_max = M_tc - (1.0 - 0.1) * chi_i * peak->psi_i;
+    const double eta_max = M_tc - (1.0 - 0.1) * chi_i * (peak->e - line.void_ratio(peak->h_0));
     EXPECT_NEAR(peak->q / peak->p, eta_max, tolerance * eta_max) << "H " << H;
     EXPECT_GT(eta_max, 1.5);
   }
@@ -85,7 +86,7 @@ TEST(NorSandIdentities, UndrainedStrength) {
 }
 
 TEST(NorSandIdentities, StartsOnTheYieldSurfaceUnderK0) {
-  const Sand sand;
+  const NorSandParameters sand;
   const NorSand law(sand);
   const double p_i = law.initial_image_pressure(-25e3, -50e3, -25e3, 0.0, 0.76832);
   EXPECT_NEAR(p_i, 23.3390e3, 0.05);
@@ -96,7 +97,7 @@ TEST(NorSandIdentities, StartsOnTheYieldSurfaceUnderK0) {
   EXPECT_DOUBLE_EQ(state.q, 25e3);
   EXPECT_NEAR(state.sin3theta, 1.0, 1e-14);
 
-  Sand overconsolidated;
+  NorSandParameters overconsolidated;
   overconsolidated.OCR = 2.0;
   EXPECT_DOUBLE_EQ(NorSand(overconsolidated).initial_image_pressure(-25e3, -50e3, -25e3, 0.0, 0.76832),
                    2.0 * p_i);
@@ -104,7 +105,7 @@ TEST(NorSandIdentities, StartsOnTheYieldSurfaceUnderK0) {
 
 // The formulas of the state by hand, off the triaxial axes.
 TEST(NorSandIdentities, StateMatchesTheFormulas) {
-  const Sand sand;
+  const NorSandParameters sand;
   const NorSand law(sand);
   const double e = 0.70, p_i = 80e3;
   const NorSandState state = law.evaluate({-60e3, -140e3, -90e3, 20e3}, e, p_i);
@@ -143,12 +144,12 @@ struct Work {
 
 // Compresses a K0 state at a fixed strain ratio and sums work by the trapezoidal rule.
 Work compress(int steps) {
-  const Sand sand;
+  const NorSandParameters sand;
   const NorSand law(sand);
   Specimen specimen(law, {-25e3, -50e3, -25e3, 0.0}, 0.76832,
                     law.initial_image_pressure(-25e3, -50e3, -25e3, 0.0, 0.76832));
   Work work;
-  const auto state = [&] { return law.evaluate(specimen.stress(), specimen.e(), specimen.p_i()); };
+  const auto state = [&] { return law.evaluate(specimen.stress(), specimen.e(), specimen.h_0()); };
   NorSandState before = state();
   for (int i = 0; i < steps; ++i) {
     const double axial = 0.02 / steps, radial = -0.45 * axial;

@@ -37,7 +37,7 @@ std::vector<Row> read(const std::string& name) {
   return rows;
 }
 
-double void_ratio(const Sand& sand) { return sand.e_max - sand.D_r * (sand.e_max - sand.e_min); }
+double void_ratio(const NorSandParameters& sand) { return sand.e_max - sand.D_r * (sand.e_max - sand.e_min); }
 
 enum class Kind { drained, undrained, isotropic, oedometer };
 
@@ -46,7 +46,7 @@ struct Path {
   Kind kind;
   double D_r;  // [-]
   double p_0;  // [Pa] isotropic, or vertical with K_0 = 0.5
-  void (*change)(Sand&);
+  void (*change)(NorSandParameters&);
 };
 
 void PrintTo(const Path& path, std::ostream* out) { *out << path.name; }
@@ -58,7 +58,7 @@ constexpr double increment = 5e-5;
 
 TEST_P(NorSandReference, FollowsThePath) {
   const Path& path = GetParam();
-  Sand sand;
+  NorSandParameters sand;
   sand.D_r = path.D_r;
   path.change(sand);
   const NorSand law(sand);
@@ -88,7 +88,7 @@ TEST_P(NorSandReference, FollowsThePath) {
       eps_a += axial;
     }
     SCOPED_TRACE("eps_a " + std::to_string(target));
-    const NorSandState state = law.evaluate(specimen.stress(), specimen.e(), specimen.p_i());
+    const NorSandState state = law.evaluate(specimen.stress(), specimen.e(), specimen.h_0());
     const double q = 1e3 * row.at("q"), p = 1e3 * row.at("p");
     // Where the path has just left the isotropic axis half a per cent of q is less than a step's share of it.
     ASSERT_NEAR(state.q, q, std::max(0.005 * q, 1e-4 * p));
@@ -99,38 +99,43 @@ TEST_P(NorSandReference, FollowsThePath) {
   }
 }
 
-constexpr auto base = [](Sand&) {};
-constexpr auto stiff = [](Sand& sand) { sand.H = 75.0; };
+constexpr auto base = [](NorSandParameters&) {};
+constexpr auto stiff = [](NorSandParameters& sand) { sand.H = 75.0; };
 
-INSTANTIATE_TEST_SUITE_P(
-    All, NorSandReference,
-    testing::Values(
-        Path{"CD_DR01_p040_base", Kind::drained, 0.01, 40e3, base},
-        Path{"CD_DR01_p320_base", Kind::drained, 0.01, 320e3, base},
-        Path{"CD_DR36_p040_base", Kind::drained, 0.36, 40e3, base},
-        Path{"CD_DR36_p320_H_up", Kind::drained, 0.36, 320e3, stiff},
-        Path{"CD_DR51_p040_base", Kind::drained, 0.51, 40e3, base},
-        Path{"CD_DR51_p320_base", Kind::drained, 0.51, 320e3, base},
-        Path{"CD_DR51_p320_Gref_lo", Kind::drained, 0.51, 320e3, [](Sand& sand) { sand.G_ref = 700.0; }},
-        Path{"CD_DR51_p320_N_up", Kind::drained, 0.51, 320e3, [](Sand& sand) { sand.N = 0.3; }},
-        Path{"CD_DR51_p320_chi_up", Kind::drained, 0.51, 320e3, [](Sand& sand) { sand.chi_tc = 3.5; }},
-        Path{"CD_DR51_p320_lam_lo", Kind::drained, 0.51, 320e3, [](Sand& sand) { sand.lambda = 0.009; }},
-        Path{"CD_DR51_p320_nu_up", Kind::drained, 0.51, 320e3, [](Sand& sand) { sand.nu = 0.3; }},
-        Path{"CD_DR51_p320_phics_up", Kind::drained, 0.51, 320e3,
-             [](Sand& sand) { sand.phi_cs = 31.0 * std::numbers::pi / 180.0; }},
-        Path{"CD_DR80_p040_base", Kind::drained, 0.80, 40e3, base},
-        Path{"CD_DR80_p320_base", Kind::drained, 0.80, 320e3, base},
-        Path{"CD_DR80_p320_H_up", Kind::drained, 0.80, 320e3, stiff},
-        Path{"CDlong_DR80_p320_base", Kind::drained, 0.80, 320e3, base},
-        Path{"CU_DR36_p320_H25_S0", Kind::undrained, 0.36, 320e3, base},
-        Path{"iso_DR36_H25", Kind::isotropic, 0.36, 20e3, base},
-        Path{"oedo_DR36_H25", Kind::oedometer, 0.36, 20e3, base},
-        Path{"oedo_DR36_H75", Kind::oedometer, 0.36, 20e3, stiff}),
-    [](const testing::TestParamInfo<Path>& path) { return path.param.name; });
+INSTANTIATE_TEST_SUITE_P(All, NorSandReference,
+                         testing::Values(Path{"CD_DR01_p040_base", Kind::drained, 0.01, 40e3, base},
+                                         Path{"CD_DR01_p320_base", Kind::drained, 0.01, 320e3, base},
+                                         Path{"CD_DR36_p040_base", Kind::drained, 0.36, 40e3, base},
+                                         Path{"CD_DR36_p320_H_up", Kind::drained, 0.36, 320e3, stiff},
+                                         Path{"CD_DR51_p040_base", Kind::drained, 0.51, 40e3, base},
+                                         Path{"CD_DR51_p320_base", Kind::drained, 0.51, 320e3, base},
+                                         Path{"CD_DR51_p320_Gref_lo", Kind::drained, 0.51, 320e3,
+                                              [](NorSandParameters& sand) { sand.G_ref = 700.0; }},
+                                         Path{"CD_DR51_p320_N_up", Kind::drained, 0.51, 320e3,
+                                              [](NorSandParameters& sand) { sand.N = 0.3; }},
+                                         Path{"CD_DR51_p320_chi_up", Kind::drained, 0.51, 320e3,
+                                              [](NorSandParameters& sand) { sand.chi_tc = 3.5; }},
+                                         Path{"CD_DR51_p320_lam_lo", Kind::drained, 0.51, 320e3,
+                                              [](NorSandParameters& sand) { sand.lambda = 0.009; }},
+                                         Path{"CD_DR51_p320_nu_up", Kind::drained, 0.51, 320e3,
+                                              [](NorSandParameters& sand) { sand.nu = 0.3; }},
+                                         Path{"CD_DR51_p320_phics_up", Kind::drained, 0.51, 320e3,
+                                              [](NorSandParameters& sand) {
+                                                sand.phi_cs = 31.0 * std::numbers::pi / 180.0;
+                                              }},
+                                         Path{"CD_DR80_p040_base", Kind::drained, 0.80, 40e3, base},
+                                         Path{"CD_DR80_p320_base", Kind::drained, 0.80, 320e3, base},
+                                         Path{"CD_DR80_p320_H_up", Kind::drained, 0.80, 320e3, stiff},
+                                         Path{"CDlong_DR80_p320_base", Kind::drained, 0.80, 320e3, base},
+                                         Path{"CU_DR36_p320_H25_S0", Kind::undrained, 0.36, 320e3, base},
+                                         Path{"iso_DR36_H25", Kind::isotropic, 0.36, 20e3, base},
+                                         Path{"oedo_DR36_H25", Kind::oedometer, 0.36, 20e3, base},
+                                         Path{"oedo_DR36_H75", Kind::oedometer, 0.36, 20e3, stiff}),
+                         [](const testing::TestParamInfo<Path>& path) { return path.param.name; });
 
 // Constant volume off the triaxial axes: the axes x, y, z of the files are theta, r, z here.
 void follow_constant_volume(const std::string& name, bool simple_shear) {
-  const Sand sand;
+  const NorSandParameters sand;
   const NorSand law(sand);
   Specimen specimen(law, {-26e3, -50e3, -24e3, 0.0}, void_ratio(sand), 30.99096569e3);
   double t = 0.0;
@@ -147,7 +152,7 @@ void follow_constant_volume(const std::string& name, bool simple_shear) {
     ASSERT_NEAR(-s.rr, 1e3 * row.at("syy"), 0.005 * largest);
     ASSERT_NEAR(-s.zz, 1e3 * row.at("szz"), 0.005 * largest);
     ASSERT_NEAR(-s.rz, 1e3 * row.at("syz"), 0.005 * largest);
-    ASSERT_NEAR(specimen.p_i(), 1e3 * row.at("p_i"), 0.005e3 * row.at("p_i"));
+    ASSERT_NEAR(specimen.h_0(), 1e3 * row.at("p_i"), 0.005e3 * row.at("p_i"));
     ASSERT_NEAR(specimen.e(), row.at("e"), 1e-12);
   }
 }
@@ -158,7 +163,7 @@ TEST(NorSandReference3d, PlaneStrain) { follow_constant_volume("path3d_plane_str
 // The same path with radial deviatoric flow, from the same source: tau 24.51 kPa at 10 %, associated 28.85.
 TEST(NorSandReference3d, FlowRuleDecidesTheShearStrength) {
   const auto shear_stress = [](DeviatoricFlow flow) {
-    Sand sand;
+    NorSandParameters sand;
     sand.flow = flow;
     Specimen specimen(NorSand(sand), {-26e3, -50e3, -24e3, 0.0}, void_ratio(sand), 30.99096569e3);
     for (int i = 0; i < 1000; ++i) specimen.strain(0.0, 0.0, 0.0, -0.5e-4);

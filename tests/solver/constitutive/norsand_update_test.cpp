@@ -18,7 +18,7 @@ namespace {
 constexpr PointStress k0_stress = {-25e3, -50e3, -25e3, 0.0};
 constexpr double e_0 = 0.76832;
 
-Specimen k0_specimen(const Sand& sand) {
+Specimen k0_specimen(const NorSandParameters& sand) {
   const NorSand law(sand);
   return {law, k0_stress, e_0, law.initial_image_pressure(-25e3, -50e3, -25e3, 0.0, e_0)};
 }
@@ -31,7 +31,7 @@ double distance(const Specimen& a, const Specimen& b) {
 
 // A smooth plastic path that turns in stress space.
 Specimen sheared(double tolerance, int steps) {
-  Sand sand;
+  NorSandParameters sand;
   sand.substep_tolerance = tolerance;
   Specimen specimen = k0_specimen(sand);
   for (int i = 0; i < steps; ++i)
@@ -63,7 +63,8 @@ TEST(NorSandUpdate, SubstepToleranceGovernsTheErrorOfLargeSteps) {
 TEST(NorSandUpdate, DefaultToleranceCostsNothingAgainstOtherErrors) {
   const Specimen exact = sheared(1e-9, 4000);
   for (const int steps : {10, 100, 1000})
-    EXPECT_LT(distance(sheared(Sand{}.substep_tolerance, steps), exact), 1e-3 * exact.p()) << steps;
+    EXPECT_LT(distance(sheared(NorSandParameters{}.substep_tolerance, steps), exact), 1e-3 * exact.p())
+        << steps;
 }
 
 // Points in all kinds of states: elastic, yielding, near the axis, loose, capped.
@@ -75,7 +76,7 @@ Points random_points(std::size_t n) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(generator);
   };
-  const NorSand law{Sand{}};
+  const NorSand law{NorSandParameters{}};
   Points points;
   for (std::size_t k = 0; k < n; ++k) {
     const double p = std::pow(10.0, uniform(2.0, 6.7));
@@ -114,7 +115,7 @@ TEST(NorSandUpdate, BitsDoNotDependOnTheOtherPointsOfABatch) {
   std::vector<std::size_t> order(n);
   for (std::size_t k = 0; k < n; ++k) order[k] = k;
   OwnedBatch straight = batch_of(points, order);
-  const NorSand law{Sand{}};
+  const NorSand law{NorSandParameters{}};
   const double modulus = law.update(straight.view());
   std::shuffle(order.begin(), order.end(), std::mt19937_64(3));
   OwnedBatch shuffled = batch_of(points, order);
@@ -132,7 +133,7 @@ TEST(NorSandUpdate, EndsInsideOrOnTheYieldSurface) {
   std::vector<std::size_t> order(n);
   for (std::size_t k = 0; k < n; ++k) order[k] = k;
   OwnedBatch batch = batch_of(points, order);
-  const NorSand law{Sand{}};
+  const NorSand law{NorSandParameters{}};
   const double modulus = law.update(batch.view());
   double largest = 0.0;
   std::size_t loose = 0;
@@ -141,7 +142,7 @@ TEST(NorSandUpdate, EndsInsideOrOnTheYieldSurface) {
     const NorSandState state = law.evaluate(s, batch.field(4)[k], batch.field(5)[k]);
     EXPECT_LT(state.yield, 1e-6) << k;
     largest = std::max(largest, state.K + 4.0 / 3.0 * state.G);
-    if (state.p < Sand{}.p_min) {
+    if (state.p < NorSandParameters{}.p_min) {
       ++loose;
       EXPECT_NEAR(state.q, 0.0, 1e-9);
     } else {
@@ -159,7 +160,7 @@ TEST(NorSandUpdate, InstructionSetsAgree) {
   const Points points = random_points(n);
   std::vector<std::size_t> order(n);
   for (std::size_t k = 0; k < n; ++k) order[k] = k;
-  const NorSand law{Sand{}};
+  const NorSand law{NorSandParameters{}};
   OwnedBatch reference = batch_of(points, order);
   constitutive_kernels_baseline.update_norsand(law.constants(), reference.view());
   std::vector<const ConstitutiveKernels*> others;
@@ -173,7 +174,7 @@ TEST(NorSandUpdate, InstructionSetsAgree) {
     kernels->update_norsand(law.constants(), batch.view());
     std::size_t different = 0;  // rounding may change where a sub-step ends
     for (std::size_t k = 0; k < n; ++k) {
-      const double p = std::abs(reference.field(1)[k]) + Sand{}.p_min;
+      const double p = std::abs(reference.field(1)[k]) + NorSandParameters{}.p_min;
       for (std::size_t f = 0; f < 6; ++f) {
         const double scale = f == 4 ? 1.0 : p;
         ASSERT_NEAR(batch.field(f)[k], reference.field(f)[k], 0.02 * scale)
@@ -189,12 +190,12 @@ TEST(NorSandUpdate, InstructionSetsAgree) {
 // G = G_c p^b and K in proportion: p^(1-b) grows linearly with volumetric strain, the deviator in proportion
 // to p.
 TEST(NorSandUpdate, ElasticPathIsExact) {
-  Sand sand;
+  NorSandParameters sand;
   sand.OCR = 20.0;
   sand.cap_ratio = 10.0;
   for (const double size : {1e-7, 1e-5, 1e-4}) {
     Specimen specimen = k0_specimen(sand);
-    const NorSandState state = NorSand(sand).evaluate(specimen.stress(), e_0, specimen.p_i());
+    const NorSandState state = NorSand(sand).evaluate(specimen.stress(), e_0, specimen.h_0());
     specimen.strain(-0.3 * size, -size, -0.2 * size, 0.1 * size);
     const double eps_v = 1.5 * size;
     const double e_1 = (1.0 + e_0) * std::exp(-eps_v) - 1.0;
@@ -210,27 +211,27 @@ TEST(NorSandUpdate, ElasticPathIsExact) {
 }
 
 TEST(NorSandUpdate, UnloadsAlongTheElasticPathAndBack) {
-  Specimen specimen = k0_specimen(Sand{});
+  Specimen specimen = k0_specimen(NorSandParameters{});
   specimen.strain(2e-5, -1e-4, 2e-5, 0.0);
   const Specimen start = specimen;
   specimen.strain(-1e-5, 5e-5, -1e-5, 0.0);
-  EXPECT_EQ(specimen.p_i(), start.p_i());
+  EXPECT_EQ(specimen.h_0(), start.h_0());
   specimen.strain(1e-5, -5e-5, 1e-5, 0.0);
   EXPECT_NEAR(specimen.stress().zz, start.stress().zz, 1e-7 * start.p());
-  EXPECT_NEAR(specimen.p_i(), start.p_i(), 1e-7 * start.p());
+  EXPECT_NEAR(specimen.h_0(), start.h_0(), 1e-7 * start.p());
 }
 
 // One increment that unloads, crosses the elastic range and yields on the other side equals many small ones.
 TEST(NorSandUpdate, CrossesTheElasticRangeInOneIncrement) {
-  Specimen once = k0_specimen(Sand{}), often = k0_specimen(Sand{});
+  Specimen once = k0_specimen(NorSandParameters{}), often = k0_specimen(NorSandParameters{});
   once.strain(-0.5e-3, 1e-3, -0.5e-3, 2e-4);
   for (int i = 0; i < 2000; ++i) often.strain(-0.25e-6, 0.5e-6, -0.25e-6, 1e-7);
   EXPECT_LT(distance(once, often), 2e-3 * often.p());
-  EXPECT_GT(distance(once, k0_specimen(Sand{})), 0.5 * often.p());
+  EXPECT_GT(distance(once, k0_specimen(NorSandParameters{})), 0.5 * often.p());
 }
 
 TEST(NorSandUpdate, CarriesNothingBelowSmallestPressureAndStartsAgain) {
-  Specimen specimen = k0_specimen(Sand{});
+  Specimen specimen = k0_specimen(NorSandParameters{});
   for (int i = 0; i < 20; ++i) specimen.strain(2e-4, 2e-4, 2e-4, 0.0);
   EXPECT_EQ(specimen.p(), 0.0);
   EXPECT_NEAR(specimen.e(), (1.0 + e_0) * std::exp(0.012) - 1.0, 1e-12);
@@ -238,7 +239,8 @@ TEST(NorSandUpdate, CarriesNothingBelowSmallestPressureAndStartsAgain) {
   specimen.strain(1e-5, 1e-5, 1e-5, 3e-4);
   EXPECT_EQ(specimen.stress().rz, 0.0);
   for (int i = 0; i < 100; ++i) specimen.strain(-1e-5, -4e-5, 0.0, 3e-5);
-  const NorSandState state = NorSand(Sand{}).evaluate(specimen.stress(), specimen.e(), specimen.p_i());
+  const NorSandState state =
+      NorSand(NorSandParameters{}).evaluate(specimen.stress(), specimen.e(), specimen.h_0());
   EXPECT_GT(state.p, 3e3);
   EXPECT_GT(state.q, 0.0);
   EXPECT_LT(state.yield, 1e-6);
@@ -248,7 +250,7 @@ TEST(NorSandUpdate, CarriesNothingBelowSmallestPressureAndStartsAgain) {
 // ratio passes 2.
 TEST(NorSandUpdate, InnerCapBoundsTheStressRatioAfterUnloading) {
   const auto largest_ratio = [](double cap_ratio) {
-    Sand sand;
+    NorSandParameters sand;
     sand.cap_ratio = cap_ratio;
     const NorSand law(sand);
     Specimen specimen = k0_specimen(sand);
@@ -257,7 +259,7 @@ TEST(NorSandUpdate, InnerCapBoundsTheStressRatioAfterUnloading) {
     double ratio = 0.0;
     for (int i = 0; i < 1000; ++i) {
       specimen.strain(0.5e-6, -1e-6, 0.5e-6, 0.0);
-      const NorSandState state = law.evaluate(specimen.stress(), specimen.e(), specimen.p_i());
+      const NorSandState state = law.evaluate(specimen.stress(), specimen.e(), specimen.h_0());
       ratio = std::max(ratio, state.q / state.p);
     }
     return ratio;
@@ -274,7 +276,7 @@ TEST(NorSandUpdate, BadInputIsNeitherHiddenNorEndless) {
       const double good[] = {-25e3, -50e3, -25e3, 0.0, e_0, 23.339e3, 1e-5, -4e-5, 1e-5, 0.0};
       for (std::size_t g = 0; g < OwnedBatch::field_count; ++g) std::fill_n(batch.field(g), 8, good[g]);
       batch.field(f)[3] = bad;
-      NorSand(Sand{}).update(batch.view());
+      NorSand(NorSandParameters{}).update(batch.view());
       for (std::size_t g = 0; g < 6; ++g) {
         EXPECT_FALSE(std::isfinite(batch.field(g)[3])) << "bad field " << f << ", field " << g;
         EXPECT_TRUE(std::isfinite(batch.field(g)[2]));
@@ -289,7 +291,7 @@ TEST(NorSandUpdate, WildButFiniteInputReturns) {
   for (std::size_t f = 0; f < OwnedBatch::field_count; ++f)
     for (std::size_t k = 0; k < 1024; ++k)
       batch.field(f)[k] = std::copysign(std::pow(10.0, exponent(generator)), sign(generator));
-  NorSand(Sand{}).update(batch.view());
+  NorSand(NorSandParameters{}).update(batch.view());
   for (std::size_t k = 0; k < 1024; ++k) EXPECT_FALSE(std::isinf(batch.field(5)[k]));
 }
 

@@ -27,7 +27,7 @@ std::array<double, 3> principal(const PointStress& s) {
 TEST(Tresca, BulkToShearModulusIsAThousand) { EXPECT_NEAR(K / G, 999.67, 0.01); }
 
 TEST(Tresca, ModulusIsTheElasticOne) {
-  Specimen specimen(Tresca(Clay{}), {0.0, 0.0, 0.0, 0.0}, 0.567);
+  Specimen specimen(Tresca(TrescaParameters{}), {0.0, 0.0, 0.0, 0.0}, 0.567);
   specimen.strain(1e-5, 0.0, 0.0, 0.0);
   EXPECT_NEAR(specimen.modulus(), K + 4.0 / 3.0 * G, 1e-9 * K);
 }
@@ -35,7 +35,7 @@ TEST(Tresca, ModulusIsTheElasticOne) {
 // Constant volume compression: q = 3 G eps_a up to 2 s_u = 55.8 kPa, the two corners of the hexagon.
 TEST(Tresca, TriaxialCompressionAndExtension) {
   for (const double sign : {1.0, -1.0}) {
-    Specimen specimen(Tresca(Clay{}), {-25e3, -25e3, -25e3, 0.0}, 0.567);
+    Specimen specimen(Tresca(TrescaParameters{}), {-25e3, -25e3, -25e3, 0.0}, 0.567);
     double eps = 0.0;
     for (int i = 0; i < 100; ++i) {
       specimen.strain(sign * 2.5e-4, -sign * 5e-4, sign * 2.5e-4, 0.0);
@@ -52,12 +52,12 @@ TEST(Tresca, TriaxialCompressionAndExtension) {
 
 // Simple shear and plane strain end on the planes of the hexagon at s_u, the middle stress at the mean.
 TEST(Tresca, ShearOffTheCorners) {
-  Specimen shear(Tresca(Clay{}), {-25e3, -25e3, -25e3, 0.0}, 0.567);
+  Specimen shear(Tresca(TrescaParameters{}), {-25e3, -25e3, -25e3, 0.0}, 0.567);
   for (int i = 0; i < 100; ++i) shear.strain(0.0, 0.0, 0.0, 1e-3);
   EXPECT_NEAR(shear.stress().rz, s_u, 1e-8 * s_u);
   EXPECT_NEAR(shear.stress().rr, -25e3, 1e-8 * s_u);
 
-  Specimen plane(Tresca(Clay{}), {-25e3, -25e3, -25e3, 0.0}, 0.567);
+  Specimen plane(Tresca(TrescaParameters{}), {-25e3, -25e3, -25e3, 0.0}, 0.567);
   for (int i = 0; i < 100; ++i) plane.strain(1e-3, -1e-3, 0.0, 0.0);
   EXPECT_NEAR(plane.stress().rr, -25e3 + s_u, 1e-8 * s_u);
   EXPECT_NEAR(plane.stress().zz, -25e3 - s_u, 1e-8 * s_u);
@@ -74,7 +74,7 @@ TEST(Tresca, EveryReturnIsAdmissibleAndKeepsPressureAndDirections) {
       batch.field(f)[k] = stress(generator) * (f == 3 && k % 5 == 0 ? 0.0 : 1.0);
   OwnedBatch before(n);
   for (std::size_t f = 0; f < 4; ++f) std::copy_n(batch.field(f), n, before.field(f));
-  Tresca(Clay{}).update(batch.view());
+  Tresca(TrescaParameters{}).update(batch.view());
   std::size_t corners = 0, elastic = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const PointStress s = {batch.field(0)[k], batch.field(1)[k], batch.field(2)[k], batch.field(3)[k]};
@@ -114,7 +114,8 @@ TEST(Tresca, IsSymmetric) {
   for (int i = 0; i < 500; ++i) {
     const PointStress s = {stress(generator), stress(generator), stress(generator), stress(generator)};
     const double d[] = {strain(generator), strain(generator), strain(generator), strain(generator)};
-    Specimen straight(Tresca(Clay{}), s, 0.567), swapped(Tresca(Clay{}), {s.zz, s.rr, s.tt, -s.rz}, 0.567);
+    Specimen straight(Tresca(TrescaParameters{}), s, 0.567),
+        swapped(Tresca(TrescaParameters{}), {s.zz, s.rr, s.tt, -s.rz}, 0.567);
     straight.strain(d[0], d[1], d[2], d[3]);
     swapped.strain(d[1], d[0], d[2], -d[3]);
     const double scale = K * 3e-2;
@@ -129,7 +130,7 @@ TEST(Tresca, BadInputIsNotHidden) {
   for (std::size_t f = 0; f < 4; ++f) {
     OwnedBatch batch(8);
     batch.field(f)[2] = std::nan("");
-    Tresca(Clay{}).update(batch.view());
+    Tresca(TrescaParameters{}).update(batch.view());
     EXPECT_TRUE(std::isnan(batch.field(f)[2])) << f;
   }
 }

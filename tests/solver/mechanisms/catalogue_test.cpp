@@ -63,7 +63,7 @@ class EveryMechanism : public ::testing::TestWithParam<std::string_view> {};
 TEST_P(EveryMechanism, RunsAndIsSeen) {
   const Mechanism& mechanism = *find_mechanism(GetParam());
   solver::Setup setup = quick(Profile::layered_sand_clay, 0.035);
-  setup.layers = {{0.0, 0.024, Soil::clay}, {0.024, 0.056, Soil::sand}, {0.056, 1.0, Soil::clay}};
+  setup.layers = {{0.0, 0.024, default_clay}, {0.024, 0.056, default_sand}, {0.056, 1.0, default_clay}};
   const Outcome off = run(setup);
   for (const MechanismParameter& parameter : mechanism.parameters)
     parameter.quantity.set_value(setup, parameter.prior_upper);

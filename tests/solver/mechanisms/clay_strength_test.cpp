@@ -7,6 +7,7 @@
 
 #include "mechanism_fixture.hpp"
 #include "solver/constitutive/varying_tresca.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 class Shear {
  public:
   Shear(const StrainSoftening& softening, const RateDependence& rate, double s_u)
-      : law_(Clay{}, softening, rate) {
+      : law_(TrescaParameters{}, softening, rate) {
     std::fill_n(fields_[5], batch_width, s_u);
   }
   /// Radial stress less vertical stress over two [Pa] after an increment of shear strain over `dt`.
@@ -72,8 +73,8 @@ TEST(StrengthProfiles, ArePutOnThePoints) {
   solver::Setup setup = quick(Profile::homogeneous_clay, 0.1);
   setup.mechanisms.strength_gradient.gradient = 12e3;
   setup.mechanisms.clay_crust = {0.5, 0.1};
-  const double s_u = setup.clay.s_u;
-  for_initial_soil(setup, [&](const Point& point, Material) {
+  const double s_u = clay_of(setup).s_u;
+  for_initial_soil(setup, [&](const Point& point, std::int32_t) {
     const double depth = -point.field[1];
     EXPECT_NEAR(point.field[11], s_u * (1.0 + 0.5 * std::exp(-depth / 0.1)) + 12e3 * depth, 1e-6);
   });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanism_fixture.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -12,9 +13,9 @@ constexpr double range = 0.890 - 0.552;  // e_max - e_min
 
 TEST(SurfaceCompaction, DecaysFromTheTop) {
   solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
-  const double e_0 = bulk(setup, Soil::sand).e;
+  const double e_0 = bulk(setup, default_sand).e;
   setup.mechanisms.surface_compaction = {0.25, 0.05};
-  for_initial_soil(setup, [&](const Point& point, Material) {
+  for_initial_soil(setup, [&](const Point& point, std::int32_t) {
     const double depth = -point.field[1];
     EXPECT_NEAR(point.field[10], e_0 - 0.25 * range * std::exp(-depth / 0.05), 1e-12);
   });
@@ -23,7 +24,8 @@ TEST(SurfaceCompaction, DecaysFromTheTop) {
 TEST(SurfaceCompaction, EndsAtTheDensestState) {
   solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
   setup.mechanisms.surface_compaction = {0.80, 0.05};
-  EXPECT_EQ(sand_void_ratio(setup, {}, 0.0), setup.sand.e_min);
+  const Soil& sand = setup.soils[default_sand];
+  EXPECT_EQ(law_of(sand).void_ratio_at(setup, sand.parameters, {}, 0.0), sand_of(setup).e_min);
 }
 
 TEST(SurfaceCompaction, IsFeltNearTheTopMost) {
@@ -40,9 +42,9 @@ TEST(SurfaceCompaction, IsFeltNearTheTopMost) {
 
 TEST(DensityLens, ChangesItsDepthsOnly) {
   solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
-  const double e_0 = bulk(setup, Soil::sand).e;
+  const double e_0 = bulk(setup, default_sand).e;
   setup.mechanisms.density_lens = {-0.2, 0.30, 0.08};
-  for_initial_soil(setup, [&](const Point& point, Material) {
+  for_initial_soil(setup, [&](const Point& point, std::int32_t) {
     const bool inside = std::abs(-point.field[1] - 0.30) < 0.04;
     EXPECT_NEAR(point.field[10], inside ? e_0 + 0.2 * range : e_0, 1e-12);
   });
@@ -52,7 +54,7 @@ TEST(DensityLens, ChangesItsDepthsOnly) {
 TEST(DensityLens, OfTheWholeDepthIsAnotherDensity) {
   solver::Setup lens = quick(Profile::homogeneous_sand, 0.06), denser = lens;
   lens.mechanisms.density_lens = {0.10, 0.5, 2.0};
-  denser.sand.D_r += 0.10;
+  sand_of(denser).D_r += 0.10;
   const double a = mean_q_c(run(lens), 0.04, 0.06), b = mean_q_c(run(denser), 0.04, 0.06);
   EXPECT_NEAR(a, b, 0.01 * b);  // the lens leaves the self-weight alone
 }

@@ -13,7 +13,7 @@ constexpr GrainCrushing crushing{0.10, 200e3};
 
 // Drained triaxial compression at a cell pressure far above the crushing pressure ends on the steeper branch.
 TEST(GrainCrushing, EndsOnTheSteeperBranch) {
-  Sand sand;
+  NorSandParameters sand;
   sand.substep_tolerance = 1e-6;
   const double cell = 500e3, e_0 = 0.75;
   const NorSand law(sand, crushing);
@@ -32,7 +32,7 @@ TEST(GrainCrushing, EndsOnTheSteeperBranch) {
 }
 
 TEST(GrainCrushing, TheLineIsContinuousAndItsSlopeConsistent) {
-  const CriticalStateLine line(Sand{}, crushing);
+  const CriticalStateLine line(NorSandParameters{}, crushing);
   EXPECT_NEAR(line.void_ratio(200e3 * (1.0 - 1e-9)), line.void_ratio(200e3 * (1.0 + 1e-9)), 1e-8);
   for (const double p : {100e3, 150e3, 300e3, 900e3}) {
     const double numerical = (line.void_ratio(p * 0.9999) - line.void_ratio(p * 1.0001)) / 2e-4;
@@ -43,14 +43,14 @@ TEST(GrainCrushing, TheLineIsContinuousAndItsSlopeConsistent) {
 // Below the crushing pressure nothing changes, bit for bit.
 TEST(GrainCrushing, IsNothingBelowItsPressure) {
   const double p = 50e3, e = 0.75;
-  const NorSand plain{Sand{}}, with(Sand{}, {0.10, 10e6});
+  const NorSand plain{NorSandParameters{}}, with(NorSandParameters{}, {0.10, 10e6});
   const double p_i = plain.initial_image_pressure(-p, -p, -p, 0.0, e);
   Specimen a(plain, {-p, -p, -p, 0.0}, e, p_i), b(with, {-p, -p, -p, 0.0}, e, p_i);
   for (int i = 0; i < 200; ++i) {
     a.strain(1e-4, -3e-4, 1e-4, 2e-5);
     b.strain(1e-4, -3e-4, 1e-4, 2e-5);
     ASSERT_EQ(a.stress().zz, b.stress().zz);
-    ASSERT_EQ(a.p_i(), b.p_i());
+    ASSERT_EQ(a.h_0(), b.h_0());
   }
 }
 

@@ -6,6 +6,7 @@
 #include "solver/initial_state.hpp"
 #include "solver/presets.hpp"
 #include "solver/simulate.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::solver {
 
@@ -31,11 +32,11 @@ inline double mean_q_c(const Outcome& outcome, double from, double to) {
 }
 
 /// Calls `look` with every material point of soil before the push.
-inline void for_initial_soil(const Setup& setup, const std::function<void(const Point&, Material)>& look) {
-  const NorSand sand(setup.sand, setup.mechanisms.grain_crushing);
-  const InitialState state = initial_state(setup, &sand);
+inline void for_initial_soil(const Setup& setup,
+                             const std::function<void(const Point&, std::int32_t)>& look) {
+  const InitialState state = initial_state(setup, models_of(setup));
   for (std::size_t k = 0; k < state.points.size(); ++k)
-    if (state.points[k].field[1] < 0.0) look(state.points[k], static_cast<Material>(state.material[k]));
+    if (state.points[k].field[1] < 0.0) look(state.points[k], state.material[k]);
 }
 
 }  // namespace cpt::solver

@@ -26,15 +26,15 @@ TEST(PreviousPush, LeftBehindIsLinearBetweenBins) {
 TEST(PreviousPush, OfUntouchedSoilChangesNothing) {
   solver::Setup setup = quick(Profile::homogeneous_sand, 0.2);
   setup.mechanisms.previous_push = {1.0, 0.15};
-  const NorSand sand(setup.sand);
-  const InitialState state = initial_state(setup, &sand);
+  const InitialState state = initial_state(setup, models_of(setup));
+  const auto materials = static_cast<std::int32_t>(setup.soils.size() + 1);
   const Mesh mesh(chamber_layout(setup));
   std::vector<std::int32_t> bucket_of;
   for (std::size_t k = 0; k < state.points.size(); ++k)
-    bucket_of.push_back(mesh.locate(state.points[k].field[0], state.points[k].field[1]).cell *
-                            material_count +
+    bucket_of.push_back(mesh.locate(state.points[k].field[0], state.points[k].field[1]).cell * materials +
                         state.material[k]);
-  const MaterialPoints points(state.points, bucket_of, static_cast<std::int32_t>(mesh.cells().size()));
+  const MaterialPoints points(state.points, bucket_of, static_cast<std::int32_t>(mesh.cells().size()),
+                              materials);
   Observer nobody;
   FirstPush first(setup, nobody);
   first.look(0.2, points);

@@ -6,6 +6,7 @@
 #include "mechanism_fixture.hpp"
 #include "solver/actual_setup.hpp"
 #include "solver/quantities.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -22,7 +23,7 @@ TEST(CushionTransfer, ScalesTheStressAtTheTop) {
 TEST(Overconsolidation, ScalesTheImagePressure) {
   solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
   setup.mechanisms.overconsolidation.excess = 1.5;
-  EXPECT_DOUBLE_EQ(actual_setup(setup).sand.OCR, 2.5);
+  EXPECT_DOUBLE_EQ(sand_of(actual_setup(setup)).OCR, 2.5);
 }
 
 TEST(ActualSetup, IsTheSetupWhereNothingIsOn) {
@@ -34,7 +35,7 @@ TEST(ActualSetup, IsTheSetupWhereNothingIsOn) {
 TEST(WallFriction, TakesWhatJanssenSays) {
   solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
   setup.mechanisms.wall_friction.coefficient = 0.4;
-  const Bulk b = bulk(setup, Soil::sand);
+  const Bulk b = bulk(setup, default_sand);
   const double weight = b.rho * b.weight_ratio * gravity, R = setup.chamber.radius;
   double sigma_v = 50e3;
   const int steps = 100000;
@@ -46,7 +47,7 @@ TEST(WallFriction, TakesWhatJanssenSays) {
 TEST(WallFriction, ShearFallsLinearlyToTheAxis) {
   solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
   setup.mechanisms.wall_friction.coefficient = 0.4;
-  for_initial_soil(setup, [&](const Point& point, Material) {
+  for_initial_soil(setup, [&](const Point& point, std::int32_t) {
     const double sigma_h = -point.field[4], r = point.field[0];
     EXPECT_NEAR(point.field[7], 0.4 * sigma_h * r / setup.chamber.radius, 1e-9 * sigma_h);
   });

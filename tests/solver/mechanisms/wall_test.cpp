@@ -6,6 +6,8 @@
 
 #include "mechanism_fixture.hpp"
 #include "solver/chamber.hpp"
+#include "solver/soils/elastic.hpp"
+#include "tests/solver/default_soils.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -51,14 +53,13 @@ TEST(WallFriction, StartsInEquilibrium) {
   solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
   const auto largest_force = [&](double coefficient, bool with_wall) {
     setup.mechanisms.wall_friction.coefficient = coefficient;
-    const NorSand sand(setup.sand);
-    const InitialState state = initial_state(setup, &sand);
-    Laws laws;
-    laws.sand.emplace(setup.sand);
-    laws.surcharge.emplace(setup.chamber.surcharge_E, setup.chamber.surcharge_nu);
+    SoilModels soils = models_of(setup);
+    soils.push_back(elastic_soil(setup.chamber.surcharge_E, setup.chamber.surcharge_nu));
+    const InitialState state = initial_state(setup, soils);
     ModelSettings settings;
-    settings.weight_ratio[0] = bulk(setup, Soil::sand).weight_ratio;
-    Model model(Mesh(chamber_layout(setup)), state.points, state.material, laws, settings);
+    settings.materials = static_cast<std::int32_t>(soils.size());
+    settings.weight_ratio[0] = bulk(setup, default_sand).weight_ratio;
+    Model model(Mesh(chamber_layout(setup)), state.points, state.material, std::move(soils), settings);
     model.compute_nodal_forces();
     ChamberBoundary chamber(setup, model.mesh());
     if (with_wall) chamber.apply_wall_stress(model);
