@@ -16,7 +16,7 @@
 #include "recordings/csv.hpp"
 #include "recordings/read_recording.hpp"
 #include "reports/figure_files.hpp"
-#include "reports/png.hpp"
+#include "reports/picture_files.hpp"
 
 namespace cpt::cli {
 namespace {

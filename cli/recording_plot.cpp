@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "cli/cells.hpp"
+#include "drawing/palette.hpp"
 #include "reports/depth_panels.hpp"
-#include "reports/palette.hpp"
 
 namespace cpt::cli {
 namespace {
@@ -19,9 +19,9 @@ using recordings::Recording;
 
 // By zone, from 1: fine soils blue, coarse ones yellow.
 constexpr std::array<std::string_view, 9> zone_colors = {
-    reports::palette::purple, "#8c6d46", reports::palette::blue,   reports::palette::sky,
-    reports::palette::green,  "#f0e442", reports::palette::orange, reports::palette::vermillion,
-    reports::palette::faint};
+    drawing::palette::purple, "#8c6d46", drawing::palette::blue,   drawing::palette::sky,
+    drawing::palette::green,  "#f0e442", drawing::palette::orange, drawing::palette::vermillion,
+    drawing::palette::faint};
 
 std::vector<double> divided(std::vector<double> values, double by) {
   for (double& value : values) value /= by;
@@ -31,7 +31,7 @@ std::vector<double> divided(std::vector<double> values, double by) {
 void add_panel(reports::DepthPanels& figure, const char* title, std::vector<double> values,
                std::string_view color) {
   if (recordings::spread(values).values == 0) return;
-  figure.panels.push_back({reports::symbolic(title), std::move(values), color});
+  figure.panels.push_back({drawing::symbolic(title), std::move(values), color});
 }
 
 void add_measured(reports::DepthPanels& figure, const Recording& recording,
@@ -51,21 +51,21 @@ void add_panels(reports::DepthPanels& figure, const Recording& recording,
     add_measured(figure, recording, interpretation, quantity, title, place, scale, color);
   };
   add("q_c", interpretation.corrected ? "q_c, q_t (MPa)" : "q_c (MPa)", &Reading::q_c, MPa,
-      reports::palette::ink);
+      drawing::palette::ink);
   if (interpretation.corrected && !figure.panels.empty()) {
     figure.panels.back().beside = divided(interpretation.q_t, MPa);
-    figure.panels.back().beside_color = reports::palette::vermillion;
+    figure.panels.back().beside_color = drawing::palette::vermillion;
   }
-  add("f_s", "f_s (kPa)", &Reading::f_s, kPa, reports::palette::vermillion);
-  add("u_2", "u_2 (kPa)", &Reading::u_2, kPa, reports::palette::blue);
+  add("f_s", "f_s (kPa)", &Reading::f_s, kPa, drawing::palette::vermillion);
+  add("u_2", "u_2 (kPa)", &Reading::u_2, kPa, drawing::palette::blue);
   if (!interpretation.why_no_behaviour.empty()) return;
   std::vector<double> R_f = interpretation.R_f, I_c;
   for (std::size_t i = 0; i < R_f.size(); ++i) {
     I_c.push_back(interpretation.behaviour[i].I_c);
     if (recording.readings[i].predrilled) R_f[i] = recordings::not_given;
   }
-  add_panel(figure, "R_f (%)", std::move(R_f), reports::palette::green);
-  add_panel(figure, "I_c", std::move(I_c), reports::palette::purple);
+  add_panel(figure, "R_f (%)", std::move(R_f), drawing::palette::green);
+  add_panel(figure, "I_c", std::move(I_c), drawing::palette::purple);
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ std::string recording_plot(const Recording& recording, const Interpretation& int
     if (reading.predrilled) figure.shaded_to = recording.predrilled_depth;
     if (reading.after_stop) figure.marks.push_back(reading.depth);
   }
-  figure.bands_title = reports::plain("zone");
+  figure.bands_title = drawing::plain("zone");
   for (const recordings::BehaviourInterval& b : interpretation.intervals)
     figure.bands.push_back(
         {b.from, b.to, fmt::format("{}", b.zone), zone_colors[static_cast<std::size_t>(b.zone) - 1]});

@@ -6,13 +6,13 @@
 
 #include "cli/exit_codes.hpp"
 #include "cli/listings.hpp"
-#include "reports/markdown.hpp"
+#include "drawing/markdown.hpp"
 
 namespace cpt::cli {
 namespace {
 
-using reports::table_head;
-using reports::table_line;
+using drawing::table_head;
+using drawing::table_line;
 
 std::string code(const std::string& text) { return fmt::format("`{}`", text); }
 

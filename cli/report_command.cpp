@@ -24,8 +24,8 @@ struct ReportArguments {
   std::filesystem::path directory;
   bool watch = false;
   double every_seconds = 5.0;
-  int column_mm = static_cast<int>(reports::Column::one_and_half);
-  [[nodiscard]] reports::Column column() const { return static_cast<reports::Column>(column_mm); }
+  int column_mm = static_cast<int>(drawing::Column::one_and_half);
+  [[nodiscard]] drawing::Column column() const { return static_cast<drawing::Column>(column_mm); }
 };
 
 // NAME-report beside the database NAME.sqlite, or what the study says.

@@ -19,7 +19,7 @@ reports::PageContext context_of(const results::Snapshot& campaign, const std::fi
 std::vector<std::filesystem::path> write_study_report(const results::Snapshot& campaign,
                                                       const std::filesystem::path& database,
                                                       const std::filesystem::path& directory,
-                                                      int reload_seconds, reports::Column column,
+                                                      int reload_seconds, drawing::Column column,
                                                       const std::vector<std::string>& notes) {
   reports::PageContext context = context_of(campaign, database, reload_seconds);
   context.notes = notes;

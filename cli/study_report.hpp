@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/column.hpp"
+#include "drawing/column.hpp"
 #include "results/snapshot.hpp"
 
 namespace cpt::cli {
@@ -17,7 +17,7 @@ std::vector<std::filesystem::path> write_study_report(const results::Snapshot& c
                                                       const std::filesystem::path& database,
                                                       const std::filesystem::path& directory,
                                                       int reload_seconds = 0,
-                                                      reports::Column column = reports::Column::one_and_half,
+                                                      drawing::Column column = drawing::Column::one_and_half,
                                                       const std::vector<std::string>& notes = {});
 
 /// The page of that report alone, without figures and tables, for a campaign that gets further. Returns its

@@ -57,7 +57,7 @@ std::vector<std::string> quantities_shown(const ViewArguments& arguments) {
 }
 
 // LOW,HIGH of "p=10,5000".
-std::pair<std::string, reports::Range> parse_range(const std::string& text,
+std::pair<std::string, drawing::Range> parse_range(const std::string& text,
                                                    const std::vector<std::string>& show) {
   const auto equals = text.find('=');
   if (equals == std::string::npos)

@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/palette.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/figures.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 #include "reports/push_start_mark.hpp"
 
 namespace cpt::reports {
 namespace {
+
+using drawing::Anchor, drawing::Box, drawing::Column, drawing::decimals, drawing::number, drawing::plain,
+    drawing::Range, drawing::Rich, drawing::Svg, drawing::symbolic, drawing::TextStyle, drawing::widened;
+namespace palette = drawing::palette;
 
 using results::Snapshot;
 using results::WindowMeanRow;

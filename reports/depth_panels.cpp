@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/axis.hpp"
+#include "drawing/axis.hpp"
+#include "drawing/palette.hpp"
+#include "drawing/svg.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
-#include "reports/svg.hpp"
 
 namespace cpt::reports {
 namespace {
+
+using drawing::Anchor, drawing::Axis, drawing::Box, drawing::Edge, drawing::Pen, drawing::plain,
+    drawing::Point, drawing::Range, drawing::Svg, drawing::Tick, drawing::ticks, drawing::widened;
+namespace palette = drawing::palette;
 
 constexpr double left_margin = 50.0, right_margin = 14.0, panel_gap = 14.0;
 constexpr double depth_panel_height = 400.0;

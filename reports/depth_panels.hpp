@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/text.hpp"
+#include "drawing/text.hpp"
 
 namespace cpt::reports {
 
 struct DepthPanel {
-  Rich title;
+  drawing::Rich title;
   std::vector<double> values;  ///< one for each depth; NaN breaks the curve
   std::string_view color;
   std::vector<double> beside = {};        ///< a second curve in the same unit, dashed; may be empty
@@ -33,7 +33,7 @@ struct DepthPanels {
   std::vector<DepthPanel> panels;                               ///< at least one
   double shaded_to = std::numeric_limits<double>::quiet_NaN();  // [m] grey from the top down to here
   std::vector<double> marks;                                    // [m] ticks at the right edge
-  Rich bands_title = {};
+  drawing::Rich bands_title = {};
   std::vector<DepthBand> bands = {};  ///< right of the panels; no column where there are none
   std::string note;                   ///< below the panels
 };

@@ -6,14 +6,18 @@
 #include <span>
 #include <string>
 
+#include "drawing/palette.hpp"
 #include "reports/notes.hpp"
-#include "reports/palette.hpp"
 #include "reports/push_start_mark.hpp"
 #include "reports/units.hpp"
 #include "results/push_start.hpp"
 
 namespace cpt::reports {
 namespace {
+
+using drawing::Anchor, drawing::Box, drawing::Edge, drawing::Pen, drawing::plain, drawing::Point,
+    drawing::Range, drawing::Rich, drawing::Span, drawing::Svg, drawing::symbolic, drawing::widened;
+namespace palette = drawing::palette;
 
 /// Median of a value and up to two neighbours on either side: a spike of one or two bins must not set the
 /// scale.

@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/axis.hpp"
-#include "reports/bar_rows.hpp"
+#include "drawing/axis.hpp"
+#include "drawing/bar_rows.hpp"
+#include "drawing/flow_legend.hpp"
+#include "drawing/palette.hpp"
 #include "reports/figures.hpp"
-#include "reports/flow_legend.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 
 namespace cpt::reports {
 namespace {
+
+using drawing::Axis, drawing::Box, drawing::Column, drawing::decimals, drawing::Edge, drawing::FlowLegend,
+    drawing::number, drawing::plain, drawing::Point, drawing::Rich, drawing::Svg, drawing::symbolic;
+namespace palette = drawing::palette;
+namespace bar_rows = drawing::bar_rows;
 
 using results::EffectRow;
 using results::Effects;

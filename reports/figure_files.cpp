@@ -7,7 +7,7 @@
 
 #include "reports/figures.hpp"
 #include "reports/labels.hpp"
-#include "reports/png.hpp"
+#include "reports/picture_files.hpp"
 #include "results/atomic_file.hpp"
 
 namespace cpt::reports {
@@ -37,7 +37,7 @@ void make_directory(const fs::path& directory) { results::make_folder(directory)
 void write_text(const fs::path& file, const std::string& text) { results::replace_file(file, text); }
 
 std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign, const results::Effects& effects,
-                                          Column column) {
+                                          drawing::Column column) {
   std::vector<NamedFigure> figures;
   std::set<std::string> taken;
   for (const results::WindowRow& window : campaign.windows) {

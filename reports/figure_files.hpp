@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/column.hpp"
+#include "drawing/column.hpp"
 #include "results/effects.hpp"
 #include "results/snapshot.hpp"
 
@@ -19,9 +19,9 @@ struct NamedFigure {
 };
 
 /// Tornado, indices and the design's effects (none without a design) of every window, profiles, baseline.
-[[nodiscard]] std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign,
-                                                        const results::Effects& effects = {},
-                                                        Column column = Column::one_and_half);
+[[nodiscard]] std::vector<NamedFigure> campaign_figures(
+    const results::Snapshot& campaign, const results::Effects& effects = {},
+    drawing::Column column = drawing::Column::one_and_half);
 
 /// Writes NAME.svg and NAME.png and returns them; without an SVG it removes those of an earlier report.
 /// Throws results::Error if a file cannot be written.

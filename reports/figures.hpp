@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "reports/column.hpp"
+#include "drawing/column.hpp"
 #include "results/effects.hpp"
 #include "results/snapshot.hpp"
 
@@ -12,30 +12,29 @@ namespace cpt::reports {
 
 /// Range of the average q_c in a window between each parameter's bounds, widest first, with the bounds'
 /// values at the ends (Yost et al. 2023, Fig. 11).
-[[nodiscard]] std::optional<std::string> tornado_figure(const results::Snapshot& campaign,
-                                                        const results::WindowRow& window,
-                                                        Column column = Column::one_and_half);
+[[nodiscard]] std::optional<std::string> tornado_figure(
+    const results::Snapshot& campaign, const results::WindowRow& window,
+    drawing::Column column = drawing::Column::one_and_half);
 
 /// |SI| of every parameter in a window, largest first, against SI_noise (Fig. 12). Negative ones are marked,
 /// undefined ones listed with their reason.
-[[nodiscard]] std::optional<std::string> sensitivity_figure(const results::Snapshot& campaign,
-                                                            const results::WindowRow& window,
-                                                            Column column = Column::one_and_half);
+[[nodiscard]] std::optional<std::string> sensitivity_figure(
+    const results::Snapshot& campaign, const results::WindowRow& window,
+    drawing::Column column = drawing::Column::one_and_half);
 
 /// What the study's design says of every parameter (or pair) in a window, largest first: a bar with its 95 %
 /// interval for mu*, the total-order index or the interaction, a circle for sigma or the first-order index.
 /// The twenty largest where there are more.
-[[nodiscard]] std::optional<std::string> effects_figure(const results::Snapshot& campaign,
-                                                        const results::Effects& effects,
-                                                        const results::WindowRow& window,
-                                                        Column column = Column::one_and_half);
+[[nodiscard]] std::optional<std::string> effects_figure(
+    const results::Snapshot& campaign, const results::Effects& effects, const results::WindowRow& window,
+    drawing::Column column = drawing::Column::one_and_half);
 
 /// q_c over depth of all realizations, the baseline and those furthest from it told apart (Fig. 10).
-[[nodiscard]] std::optional<std::string> profiles_figure(const results::Snapshot& campaign,
-                                                         Column column = Column::one_and_half);
+[[nodiscard]] std::optional<std::string> profiles_figure(
+    const results::Snapshot& campaign, drawing::Column column = drawing::Column::one_and_half);
 
 /// q_c over depth of the baseline with its windows enlarged (Fig. 9).
-[[nodiscard]] std::optional<std::string> baseline_figure(const results::Snapshot& campaign,
-                                                         Column column = Column::one_and_half);
+[[nodiscard]] std::optional<std::string> baseline_figure(
+    const results::Snapshot& campaign, drawing::Column column = drawing::Column::one_and_half);
 
 }  // namespace cpt::reports

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 
-#include "reports/palette.hpp"
+#include "drawing/palette.hpp"
 #include "results/interrupted.hpp"
 
 namespace cpt::reports {
 namespace {
+
+using drawing::plain, drawing::Rich, drawing::Svg, drawing::symbolic;
+namespace palette = drawing::palette;
 
 constexpr double heading_left = 8.0;  // of a figure's heading
 constexpr double line_size = 8.0;

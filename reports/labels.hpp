@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/svg.hpp"
+#include "drawing/svg.hpp"
 #include "results/snapshot.hpp"
 
 namespace cpt::reports {
@@ -26,18 +26,20 @@ namespace cpt::reports {
                                                                   std::string_view window);
 
 /// Symbol of a parameter, with its group in brackets where two rows of the study share a symbol.
-[[nodiscard]] Rich symbol_of(const results::Snapshot& campaign, const results::ParameterRow& parameter);
+[[nodiscard]] drawing::Rich symbol_of(const results::Snapshot& campaign,
+                                      const results::ParameterRow& parameter);
 /// " (kPa)"; nothing for numbers without unit.
-[[nodiscard]] Rich unit_of(const results::ParameterRow& parameter);
+[[nodiscard]] drawing::Rich unit_of(const results::ParameterRow& parameter);
 /// "baseline", "H = 75", "σ'h0 = 35 kPa", "wall = flexible"; a point's name.
-[[nodiscard]] Rich run_label(const results::Snapshot& campaign, const results::RealizationRow& run);
+[[nodiscard]] drawing::Rich run_label(const results::Snapshot& campaign, const results::RealizationRow& run);
 /// A longer text cut with "…" so that it fits a width.
 [[nodiscard]] std::string shortened(std::string_view text, double room, double font_size, bool bold = false);
 /// "0.5054–0.5255 m".
 [[nodiscard]] std::string depth_range(double from_m, double to_m);
 
 /// A window's name, cut where needed, before what is said of it in a figure's heading.
-[[nodiscard]] Rich window_line(const results::WindowRow& window, const Rich& what, double figure_width);
+[[nodiscard]] drawing::Rich window_line(const results::WindowRow& window, const drawing::Rich& what,
+                                        double figure_width);
 
 /// "21 of 21 realizations completed", with the failed and waiting ones where there are any.
 [[nodiscard]] std::string state_of(const results::Snapshot& campaign);
@@ -45,9 +47,9 @@ namespace cpt::reports {
 
 /// Bold title and grey lines in the upper left corner; returns the y below them. Says the campaign's state
 /// where it is not complete.
-double draw_heading(Svg& svg, const results::Snapshot& campaign, std::string_view title,
-                    const std::vector<Rich>& lines);
+double draw_heading(drawing::Svg& svg, const results::Snapshot& campaign, std::string_view title,
+                    const std::vector<drawing::Rich>& lines);
 /// Title and one grey line of a figure that belongs to no campaign; they end 32 points below the upper edge.
-void draw_heading(Svg& svg, std::string_view title, const Rich& line);
+void draw_heading(drawing::Svg& svg, std::string_view title, const drawing::Rich& line);
 
 }  // namespace cpt::reports

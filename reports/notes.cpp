@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "reports/text.hpp"
+#include "drawing/text.hpp"
 #include "results/push_start.hpp"
 
 namespace cpt::reports {
@@ -19,7 +19,7 @@ std::string_view beginning(std::string_view text, double size, double room, bool
   while (end < text.size()) {
     std::size_t next = end + 1;
     while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0) == 0x80) ++next;
-    if (end > 0 && width(plain(text.substr(0, next)), size, bold) > room) break;
+    if (end > 0 && width(drawing::plain(text.substr(0, next)), size, bold) > room) break;
     end = next;
   }
   return text.substr(0, end);
@@ -35,12 +35,12 @@ std::vector<std::string> wrapped(std::string_view text, double size, double room
     at = end + 1;
     const std::string longer =
         lines.back().empty() ? std::string(word) : lines.back() + " " + std::string(word);
-    if (width(plain(longer), size, bold) <= room) {
+    if (width(drawing::plain(longer), size, bold) <= room) {
       lines.back() = longer;
       continue;
     }
     if (!lines.back().empty()) lines.emplace_back();
-    while (width(plain(word), size, bold) > room && !word.empty()) {
+    while (width(drawing::plain(word), size, bold) > room && !word.empty()) {
       const std::string_view part = beginning(word, size, room, bold);
       lines.back() = part;
       lines.emplace_back();

@@ -4,11 +4,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "drawing/text.hpp"
 #include "reports/html/assets.hpp"
 #include "reports/labels.hpp"
 #include "reports/notes.hpp"
 #include "reports/numbers.hpp"
-#include "reports/text.hpp"
 #include "results/interrupted.hpp"
 #include "results/push_start.hpp"
 
@@ -18,9 +18,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using results::Snapshot;
 
-Json label(const Rich& text) {
+Json label(const drawing::Rich& text) {
   Json spans = Json::array();
-  for (const Span& span : text) spans.push_back({span.text, span.subscript});
+  for (const drawing::Span& span : text) spans.push_back({span.text, span.subscript});
   return spans;
 }
 
@@ -119,7 +119,7 @@ std::string filled(std::string_view text, const std::map<std::string_view, std::
 }  // namespace
 
 std::string page(const Snapshot& s, const PageContext& context) {
-  const std::string title = escape(s.campaign.title), data = script_safe(page_data(s, context));
+  const std::string title = drawing::escape(s.campaign.title), data = script_safe(page_data(s, context));
   return filled(assets::page, {{"title", title},
                                {"style", assets::style},
                                {"data", data},

@@ -4,14 +4,17 @@
 #include <cmath>
 #include <map>
 
+#include "drawing/palette.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/figures.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 #include "reports/push_start_mark.hpp"
 
 namespace cpt::reports {
 namespace {
+
+using drawing::Box, drawing::Column, drawing::plain, drawing::Svg, drawing::symbolic;
+namespace palette = drawing::palette;
 
 using results::RealizationRow;
 using results::Snapshot;

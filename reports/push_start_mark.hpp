@@ -6,6 +6,6 @@
 namespace cpt::reports {
 
 /// Nothing where the profile has no such part or the plot does not show it.
-void mark_start(Svg& svg, const DepthPlot& plot, const solver::DepthProfile& profile);
+void mark_start(drawing::Svg& svg, const DepthPlot& plot, const solver::DepthProfile& profile);
 
 }  // namespace cpt::reports

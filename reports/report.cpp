@@ -2,13 +2,14 @@
 
 #include "reports/figure_files.hpp"
 #include "reports/numbers.hpp"
+#include "reports/picture_files.hpp"
 #include "reports/supplement.hpp"
 
 namespace cpt::reports {
 
 std::vector<std::filesystem::path> write_report(const results::Snapshot& campaign,
                                                 const std::filesystem::path& directory, PageContext context,
-                                                Column column) {
+                                                drawing::Column column) {
   make_directory(directory);
   std::vector<std::filesystem::path> files = {directory / "index.html"};
   context.effects = results::design_effects(campaign);

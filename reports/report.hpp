@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "reports/column.hpp"
+#include "drawing/column.hpp"
 #include "reports/page.hpp"
 
 namespace cpt::reports {
@@ -26,7 +26,7 @@ namespace cpt::reports {
 std::vector<std::filesystem::path> write_report(const results::Snapshot& campaign,
                                                 const std::filesystem::path& directory,
                                                 PageContext context = {},
-                                                Column column = Column::one_and_half);
+                                                drawing::Column column = drawing::Column::one_and_half);
 
 /// index.html alone, for a campaign that gets further. Throws as write_report.
 std::filesystem::path write_page(const results::Snapshot& campaign, const std::filesystem::path& directory,

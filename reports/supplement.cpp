@@ -7,15 +7,19 @@
 #include <sstream>
 #include <utility>
 
+#include "drawing/palette.hpp"
 #include "reports/labels.hpp"
 #include "reports/notes.hpp"
-#include "reports/palette.hpp"
 #include "results/audit_bounds.hpp"
 #include "results/effects.hpp"
 #include "results/model_remarks.hpp"
 
 namespace cpt::reports {
 namespace {
+
+using drawing::a4_height, drawing::a4_width, drawing::Anchor, drawing::decimals, drawing::number,
+    drawing::PdfPage, drawing::plain, drawing::Rich, drawing::Span, drawing::Svg;
+namespace palette = drawing::palette;
 
 using results::Snapshot;
 

@@ -4,15 +4,21 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/axis.hpp"
-#include "reports/bar_rows.hpp"
+#include "drawing/axis.hpp"
+#include "drawing/bar_rows.hpp"
+#include "drawing/flow_legend.hpp"
+#include "drawing/palette.hpp"
 #include "reports/figures.hpp"
-#include "reports/flow_legend.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 
 namespace cpt::reports {
 namespace {
+
+using drawing::Anchor, drawing::Axis, drawing::Box, drawing::Column, drawing::Edge, drawing::FlowLegend,
+    drawing::number, drawing::plain, drawing::Point, drawing::Range, drawing::Rich, drawing::Svg,
+    drawing::symbolic, drawing::widened;
+namespace palette = drawing::palette;
+namespace bar_rows = drawing::bar_rows;
 
 using results::SensitivityRow;
 using results::Snapshot;

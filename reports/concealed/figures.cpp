@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/palette.hpp"
+#include "drawing/xy_plot.hpp"
 #include "reports/concealed/scores.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
-#include "reports/xy_plot.hpp"
 
 namespace cpt::reports::concealed {
 namespace {
+
+using drawing::Box, drawing::plain, drawing::Svg, drawing::XyPlot;
+namespace palette = drawing::palette;
 
 using diagnosis::Proportion;
 

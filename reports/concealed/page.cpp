@@ -6,14 +6,16 @@
 #include <cmath>
 #include <functional>
 
+#include "drawing/markdown.hpp"
+#include "drawing/text.hpp"
 #include "reports/concealed/figures.hpp"
 #include "reports/concealed/scores.hpp"
 #include "reports/figure_files.hpp"
-#include "reports/markdown.hpp"
-#include "reports/text.hpp"
 
 namespace cpt::reports::concealed {
 namespace {
+
+using drawing::decimals, drawing::number, drawing::table_head, drawing::table_line;
 
 using diagnosis::none_of_these;
 using diagnosis::nothing_is_missing;

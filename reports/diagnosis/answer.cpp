@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "drawing/text.hpp"
 #include "reports/diagnosis/sentences.hpp"
 #include "reports/diagnosis/words.hpp"
-#include "reports/text.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {

@@ -1,13 +1,15 @@
 // Tables of what was found.
 #include <fmt/format.h>
 
+#include "drawing/markdown.hpp"
+#include "drawing/text.hpp"
 #include "reports/diagnosis/errors.hpp"
 #include "reports/diagnosis/tables.hpp"
 #include "reports/diagnosis/words.hpp"
-#include "reports/markdown.hpp"
-#include "reports/text.hpp"
 
 namespace cpt::reports::diagnosed {
+
+using drawing::decimals, drawing::number, drawing::table_head, drawing::table_line;
 
 std::string hypotheses_table(const DiagnosisInput& input) {
   const auto& hypotheses = input.diagnosis.hypotheses;

@@ -1,13 +1,15 @@
 // Tables of what the answer rests on.
 #include <fmt/format.h>
 
+#include "drawing/markdown.hpp"
+#include "drawing/text.hpp"
 #include "reports/diagnosis/tables.hpp"
 #include "reports/diagnosis/words.hpp"
-#include "reports/markdown.hpp"
-#include "reports/text.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
+
+using drawing::decimals, drawing::table_head, drawing::table_line;
 
 std::string describe(const diagnosis::NoiseModel& noise) {
   return fmt::format("standard deviation {}, correlation length {} mm, {}",

@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/palette.hpp"
+#include "drawing/svg.hpp"
 #include "reports/diagnosis/figures.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
-#include "reports/svg.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
+
+using drawing::Anchor, drawing::Box, drawing::decimals, drawing::number, drawing::plain, drawing::Point,
+    drawing::Svg, drawing::TextStyle;
+namespace palette = drawing::palette;
 
 constexpr double cell_side = 26.0, label_room = 248.0, matrix_top = 76.0, label_size = 8.0, right = 14.0;
 constexpr double full_colour = 10.0;  // [standard deviations] at and above which the colour is deepest

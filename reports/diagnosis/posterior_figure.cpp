@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/axis.hpp"
+#include "drawing/axis.hpp"
+#include "drawing/palette.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/diagnosis/figures.hpp"
 #include "reports/diagnosis/posterior.hpp"
 #include "reports/diagnosis/words.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
+
+using drawing::Anchor, drawing::Axis, drawing::Box, drawing::Edge, drawing::plain, drawing::Point,
+    drawing::Rich, drawing::Svg, drawing::symbolic;
+namespace palette = drawing::palette;
 
 constexpr double side_margin = 20.0, panel_gap = 24.0, posterior_width = 190.0, posterior_height = 120.0,
                  posterior_top = 66.0;

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 
-#include "reports/axis.hpp"
+#include "drawing/axis.hpp"
+#include "drawing/palette.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/diagnosis/figures.hpp"
 #include "reports/diagnosis/sentences.hpp"
 #include "reports/diagnosis/words.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
+
+using drawing::Anchor, drawing::Axis, drawing::Box, drawing::Edge, drawing::plain, drawing::Svg;
+namespace palette = drawing::palette;
 
 constexpr double bar_pitch = 17.0, bar_height = 10.0, title_room = 236.0, plot_width = 250.0, bars_top = 46.0;
 constexpr double value_room = 66.0, title_size = 8.0;

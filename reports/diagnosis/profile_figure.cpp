@@ -1,15 +1,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/palette.hpp"
 #include "reports/diagnosis/figures.hpp"
 #include "reports/diagnosis/sounding_panels.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 #include "reports/units.hpp"
 #include "results/push_start.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
+
+using drawing::Axis, drawing::Box, drawing::FlowLegend, drawing::Pen, drawing::plain, drawing::Point,
+    drawing::Svg, drawing::symbolic;
+namespace palette = drawing::palette;
 
 const Pen recorded_pen{palette::ink, 1.1, {}};
 const Pen baseline_pen{palette::muted, 0.8, "2 2"};

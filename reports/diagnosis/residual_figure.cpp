@@ -1,15 +1,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/palette.hpp"
 #include "reports/diagnosis/errors.hpp"
 #include "reports/diagnosis/figures.hpp"
 #include "reports/diagnosis/sounding_panels.hpp"
 #include "reports/diagnosis/words.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
+
+using drawing::Axis, drawing::Box, drawing::FlowLegend, drawing::Pen, drawing::plain, drawing::Range,
+    drawing::Svg, drawing::widened;
+namespace palette = drawing::palette;
 
 constexpr std::string_view noise_fill = "#e4e4e4";
 const Pen before_pen{palette::blue, 1.0, {}};

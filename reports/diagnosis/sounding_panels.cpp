@@ -8,12 +8,16 @@
 #include <limits>
 #include <utility>
 
+#include "drawing/palette.hpp"
 #include "reports/diagnosis/errors.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
+
+using drawing::Anchor, drawing::Axis, drawing::Box, drawing::Edge, drawing::FlowLegend, drawing::Pen,
+    drawing::plain, drawing::Point, drawing::Rich, drawing::Svg;
+namespace palette = drawing::palette;
 
 constexpr double panels_top = 82.0, panels_left = 48.0, panels_right = 12.0, gap_across = 40.0,
                  gap_down = 56.0;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/text.hpp"
 #include "reports/diagnosis/errors.hpp"
 #include "reports/diagnosis/sentences.hpp"
 #include "reports/diagnosis/words.hpp"
-#include "reports/text.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
@@ -82,8 +82,8 @@ std::string held_out(const DiagnosisInput& input) {
   return fmt::format(
       "With {}, the error on depths held out of the fit {} (gain in log score {} per cell, 90 % interval {} "
       "to {}{}).",
-      title_of(input, *d.best), change, decimals(gain.per_cell, 2), decimals(gain.lower, 2),
-      decimals(gain.upper, 2), meaning);
+      title_of(input, *d.best), change, drawing::decimals(gain.per_cell, 2), drawing::decimals(gain.lower, 2),
+      drawing::decimals(gain.upper, 2), meaning);
 }
 
 std::string solver_confirms(const DiagnosisInput& input) {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/text.hpp"
 #include "reports/diagnosis/errors.hpp"
 #include "reports/diagnosis/sentences.hpp"
 #include "reports/diagnosis/words.hpp"
-#include "reports/text.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {

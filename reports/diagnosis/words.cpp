@@ -6,9 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "reports/text.hpp"
+#include "drawing/text.hpp"
 
 namespace cpt::reports::diagnosed {
+
+using drawing::decimals, drawing::escape, drawing::number, drawing::Span, drawing::symbolic;
 
 double percent_of(double ln) { return 100.0 * std::expm1(ln); }
 

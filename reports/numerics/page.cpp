@@ -4,13 +4,15 @@
 
 #include <cmath>
 
+#include "drawing/markdown.hpp"
+#include "drawing/text.hpp"
 #include "reports/labels.hpp"
-#include "reports/markdown.hpp"
 #include "reports/numerics/sentences.hpp"
-#include "reports/text.hpp"
 
 namespace cpt::reports::numerics {
 namespace {
+
+using drawing::decimals, drawing::number, drawing::table_head, drawing::table_line;
 
 using results::Snapshot;
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/text.hpp"
 #include "parameters/designs/variation.hpp"
-#include "reports/text.hpp"
 
 namespace cpt::reports::numerics {
 namespace {
@@ -53,7 +53,8 @@ std::string sentence(const MeshTriple& triple, const NumericsStudy& study, std::
       break;
     case Convergence::monotone:
       text += fmt::format("observed order {}, {} kPa at cell size zero, GCI of the finest {}",
-                          decimals(error.order, 2), number(error.extrapolated, 4), percent(error.band));
+                          drawing::decimals(error.order, 2), drawing::number(error.extrapolated, 4),
+                          percent(error.band));
       if (error.order > results::formal_order)
         text += fmt::format("; an order above {:g} makes no sense for these cells, {:g} was used",
                             results::formal_order, results::formal_order);
@@ -72,7 +73,7 @@ std::string sentence(const MeshTriple& triple, const NumericsStudy& study, std::
 
 }  // namespace
 
-std::string percent(double ratio, int digits) { return decimals(100.0 * ratio, digits) + " %"; }
+std::string percent(double ratio, int digits) { return drawing::decimals(100.0 * ratio, digits) + " %"; }
 
 std::string value_text(const Setting& setting, double value) {
   const std::string text = setting.quantity->format(value);

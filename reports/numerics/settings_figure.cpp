@@ -4,14 +4,18 @@
 
 #include <cmath>
 
+#include "drawing/palette.hpp"
+#include "drawing/xy_plot.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/labels.hpp"
 #include "reports/numerics/sentences.hpp"
-#include "reports/palette.hpp"
-#include "reports/xy_plot.hpp"
 
 namespace cpt::reports::numerics {
 namespace {
+
+using drawing::Box, drawing::plain, drawing::Point, drawing::Rich, drawing::Svg, drawing::symbolic,
+    drawing::XyCurve, drawing::XyPlot;
+namespace palette = drawing::palette;
 
 constexpr int panels_across = 3;
 constexpr Box first_panel = {46.0, 50.0, 132.0, 110.0};

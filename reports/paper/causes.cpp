@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "drawing/text.hpp"
 #include "parameters/document.hpp"
 #include "reports/paper/compare.hpp"
-#include "reports/text.hpp"
 #include "results/file_bytes.hpp"
 #include "results/refusal.hpp"
 
@@ -96,8 +96,8 @@ std::string in_numbers(const Evidence& evidence, const Studies& studies) {
   const results::ParameterRow* parameter = study.parameter(evidence.parameter);
   return fmt::format("`{}`, window {}: {} from {} to {} changes q<sub>c</sub> from {} to {} kPa ({})",
                      evidence.study, evidence.window, study.symbol(evidence.parameter), parameter->lower_text,
-                     parameter->upper_text, number(lower.number, 4), number(upper.number, 4),
-                     percent(change.number));
+                     parameter->upper_text, drawing::number(lower.number, 4),
+                     drawing::number(upper.number, 4), percent(change.number));
 }
 
 }  // namespace cpt::reports::paper

@@ -1,12 +1,15 @@
 #include <algorithm>
 
+#include "drawing/palette.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 #include "reports/paper/figures.hpp"
 
 namespace cpt::reports::paper {
 namespace {
+
+using drawing::Box, drawing::Pen, drawing::plain, drawing::Rich, drawing::Svg, drawing::symbolic;
+namespace palette = drawing::palette;
 
 constexpr double chamber_legend_width = 130.0;
 constexpr double chamber_plot_height = 330.0;

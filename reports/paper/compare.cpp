@@ -4,10 +4,12 @@
 
 #include <cmath>
 
-#include "reports/text.hpp"
+#include "drawing/text.hpp"
 
 namespace cpt::reports::paper {
 namespace {
+
+using drawing::decimals, drawing::number;
 
 // Without numbers: a finding that has not been run.
 Finding start(const Subject& subject, std::string published, std::string_view section, std::string check) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "reports/markdown.hpp"
+#include "drawing/markdown.hpp"
 #include "reports/paper/findings.hpp"
 
 namespace cpt::reports::paper {
@@ -36,7 +36,7 @@ std::string table(const Findings& findings, const std::string& ours, const Findi
   std::vector<std::string> columns = {"#", "what", "paper", "§", ours};
   if (!beside.empty()) columns.push_back(others);
   columns.insert(columns.end(), {"check", "verdict"});
-  std::string out = table_head(columns);
+  std::string out = drawing::table_head(columns);
   for (std::size_t i = 0; i < findings.size(); ++i) {
     const Finding& f = findings[i];
     std::vector<std::string> cells = {std::string(f.row), f.quantity, f.published, std::string(f.section),
@@ -44,7 +44,7 @@ std::string table(const Findings& findings, const std::string& ours, const Findi
     if (!beside.empty())
       cells.push_back(value_cell(beside[i]) + (beside[i].verdict == Verdict::differs ? ", **differs**" : ""));
     cells.insert(cells.end(), {f.check, std::string(to_string(f.verdict))});
-    out += table_line(cells);
+    out += drawing::table_line(cells);
   }
   return out;
 }

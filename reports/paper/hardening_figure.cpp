@@ -3,18 +3,22 @@
 #include <array>
 #include <cmath>
 
+#include "drawing/palette.hpp"
+#include "drawing/xy_plot.hpp"
 #include "parameters/calibration/hardening.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 #include "reports/paper/figures.hpp"
 #include "reports/paper/laboratory.hpp"
 #include "reports/units.hpp"
-#include "reports/xy_plot.hpp"
 #include "solver/constitutive/element_test.hpp"
 
 namespace cpt::reports::paper {
 namespace {
+
+using drawing::Box, drawing::Pen, drawing::plain, drawing::Svg, drawing::symbolic, drawing::XyCurve,
+    drawing::XyPlot;
+namespace palette = drawing::palette;
 
 constexpr std::array known_H = {25.0, 50.0, 75.0};  // over the range that the paper found
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "drawing/text.hpp"
 #include "reports/labels.hpp"
 #include "reports/paper/compare.hpp"
 #include "reports/paper/findings.hpp"
-#include "reports/text.hpp"
 
 namespace cpt::reports::paper {
 namespace {
@@ -82,8 +82,8 @@ Finding dominance(const StudyView& study) {
     finding.detail = "no other parameter has an index";
     return finding;
   }
-  finding.ours =
-      fmt::format("SI {}; next {} {}", decimals(first.number, 3), study.symbol(name), decimals(next, 3));
+  finding.ours = fmt::format("SI {}; next {} {}", drawing::decimals(first.number, 3), study.symbol(name),
+                             drawing::decimals(next, 3));
   finding.verdict = first.number >= by_far * next ? Verdict::holds : Verdict::differs;
   return finding;
 }

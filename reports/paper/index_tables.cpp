@@ -6,15 +6,17 @@
 #include <array>
 #include <cmath>
 
+#include "drawing/markdown.hpp"
+#include "drawing/text.hpp"
 #include "reports/labels.hpp"
-#include "reports/markdown.hpp"
 #include "reports/paper/ranking.hpp"
-#include "reports/text.hpp"
 #include "reports/units.hpp"
 #include "results/window_noise.hpp"
 
 namespace cpt::reports::paper {
 namespace {
+
+using drawing::decimals, drawing::number, drawing::table_head, drawing::table_line;
 
 using results::SensitivityRow;
 using results::Snapshot;

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "drawing/text.hpp"
 #include "reports/paper/compare.hpp"
 #include "reports/paper/findings.hpp"
-#include "reports/text.hpp"
 
 namespace cpt::reports::paper {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "drawing/markdown.hpp"
 #include "reports/labels.hpp"
-#include "reports/markdown.hpp"
 #include "reports/paper/compare.hpp"
 #include "reports/paper/finding_tables.hpp"
 #include "reports/paper/index_tables.hpp"
@@ -44,11 +44,11 @@ With triaxial tests of your own, `campaign element calibrate` makes the paper's 
 std::string percent_of(double fraction) { return fmt::format("{:.0f}", 100.0 * fraction); }
 
 std::string study_table(const Studies& studies) {
-  std::string out = table_head({"study", "preset", "state", "points", "hours", "solver"});
+  std::string out = drawing::table_head({"study", "preset", "state", "points", "hours", "solver"});
   for (const std::string_view name : study_names()) {
     const auto found = studies.find(name);
     if (found == studies.end()) {
-      out += table_line({std::string(name), "", "not run", "", "", ""});
+      out += drawing::table_line({std::string(name), "", "not run", "", "", ""});
       continue;
     }
     const results::Snapshot& s = found->second;
@@ -58,8 +58,8 @@ std::string study_table(const Studies& studies) {
       points = std::max(points, run.material_points);
       if (!run.waiting()) seconds += run.wall_s;
     }
-    out += table_line({std::string(name), s.campaign.preset, state_of(s), fmt::format("{}", points),
-                       fmt::format("{:.2f}", seconds / 3600.0), s.campaign.solver_version});
+    out += drawing::table_line({std::string(name), s.campaign.preset, state_of(s), fmt::format("{}", points),
+                                fmt::format("{:.2f}", seconds / 3600.0), s.campaign.solver_version});
   }
   return out;
 }

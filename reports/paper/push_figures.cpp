@@ -2,15 +2,19 @@
 
 #include <array>
 
+#include "drawing/palette.hpp"
+#include "drawing/xy_plot.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 #include "reports/paper/figures.hpp"
 #include "reports/units.hpp"
-#include "reports/xy_plot.hpp"
 
 namespace cpt::reports::paper {
 namespace {
+
+using drawing::Box, drawing::Pen, drawing::plain, drawing::Svg, drawing::symbolic, drawing::XyCurve,
+    drawing::XyPlot;
+namespace palette = drawing::palette;
 
 using results::Histories;
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/text.hpp"
+#include "drawing/text.hpp"
 
 namespace cpt::reports::paper {
 namespace {
@@ -34,7 +34,8 @@ RankingComparison compare(const StudyView& study, const Ranking& ranking) {
         continue;
       }
       const double size = std::abs(index.number);
-      placed.push_back({fmt::format("{} ({})", study.symbol(parameter), decimals(size, 3)), size, g});
+      placed.push_back(
+          {fmt::format("{} ({})", study.symbol(parameter), drawing::decimals(size, 3)), size, g});
       if (!noise) continue;
       ++result.levels;
       if ((size > noise.number) == (group.level == Level::above_noise))
@@ -63,7 +64,7 @@ std::string group_of(const Ranking& ranking, std::string_view parameter) {
   for (std::size_t g = 0; g < ranking.groups.size(); ++g) {
     const Group& group = ranking.groups[g];
     if (std::find(group.parameters.begin(), group.parameters.end(), parameter) != group.parameters.end())
-      return fmt::format("{}: {}", g + 1, html(symbolic(group.words)));
+      return fmt::format("{}: {}", g + 1, html(drawing::symbolic(group.words)));
   }
   return {};
 }

@@ -3,18 +3,22 @@
 #include <array>
 #include <cmath>
 
+#include "drawing/palette.hpp"
+#include "drawing/xy_plot.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 #include "reports/paper/figures.hpp"
 #include "reports/paper/laboratory.hpp"
 #include "reports/units.hpp"
-#include "reports/xy_plot.hpp"
 #include "solver/constitutive/critical_state_line.hpp"
 #include "solver/constitutive/element_test.hpp"
 
 namespace cpt::reports::paper {
 namespace {
+
+using drawing::Box, drawing::Pen, drawing::plain, drawing::Rich, drawing::Svg, drawing::symbolic,
+    drawing::XyCurve, drawing::XyPlot;
+namespace palette = drawing::palette;
 
 using solver::ElementRow;
 

@@ -4,17 +4,21 @@
 #include <cmath>
 #include <limits>
 
+#include "drawing/palette.hpp"
+#include "drawing/xy_plot.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 #include "reports/paper/compare.hpp"
 #include "reports/paper/figures.hpp"
 #include "reports/paper/published.hpp"
 #include "reports/paper/push_measures.hpp"
-#include "reports/xy_plot.hpp"
 
 namespace cpt::reports::paper {
 namespace {
+
+using drawing::Axis, drawing::Box, drawing::Edge, drawing::Pen, drawing::plain, drawing::Point, drawing::Svg,
+    drawing::symbolic, drawing::XyCurve, drawing::XyPlot;
+namespace palette = drawing::palette;
 
 using results::Histories;
 

@@ -6,6 +6,8 @@
 namespace cpt::reports::view {
 namespace {
 
+using drawing::number, drawing::Range, drawing::Tick, drawing::widened;
+
 // Weight beyond the ends of a scale.
 constexpr double weight_below = 0.01, weight_above = 0.005, weight_above_log = 0.001;
 
@@ -63,7 +65,7 @@ Colour ColourScale::operator()(double value) const {
 }
 
 std::vector<Tick> ColourScale::ticks(int count) const {
-  if (kind != ScaleKind::log) return reports::ticks(low, high, count);
+  if (kind != ScaleKind::log) return drawing::ticks(low, high, count);
   std::vector<Tick> all, decades;
   for (double value = round_up(low); value <= high * (1.0 + 1e-9); value = round_up(value * 1.0001)) {
     all.push_back({value, number(value, 1)});

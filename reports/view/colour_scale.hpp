@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reports/axis.hpp"
+#include "drawing/axis.hpp"
 #include "reports/view/colour_map.hpp"
 
 namespace cpt::reports::view {
@@ -25,7 +25,7 @@ struct ColourScale {
   /// The shade of a value; `no_value` for NaN.
   [[nodiscard]] Colour operator()(double value) const;
   /// Round values with their labels: multiples of a step, or 1, 2, 5 times powers of ten.
-  [[nodiscard]] std::vector<Tick> ticks(int count) const;
+  [[nodiscard]] std::vector<drawing::Tick> ticks(int count) const;
 };
 
 /// Where there is material, but not of the kind that has this quantity.

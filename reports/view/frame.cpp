@@ -6,12 +6,17 @@
 #include <array>
 #include <cmath>
 
+#include "drawing/palette.hpp"
 #include "reports/depth_plot.hpp"
 #include "reports/labels.hpp"
-#include "reports/palette.hpp"
 
 namespace cpt::reports::view {
 namespace {
+
+using drawing::Anchor, drawing::Axis, drawing::Box, drawing::Edge, drawing::number, drawing::Pen,
+    drawing::Picture, drawing::plain, drawing::Point, drawing::Rich, drawing::Svg, drawing::symbolic,
+    drawing::Tick;
+namespace palette = drawing::palette;
 
 // Lengths in points.
 constexpr double bar_height = 7.0, bar_above = 26.0;  // the colour bar's upper edge over the panel's

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/png.hpp"
-#include "reports/svg.hpp"
+#include "drawing/png.hpp"
+#include "drawing/svg.hpp"
 #include "reports/view/raster.hpp"
 #include "reports/view/view_quantity.hpp"
 #include "results/snapshot.hpp"
@@ -50,9 +50,9 @@ struct Layout {
   static constexpr double margin = 12.0;  ///< beside the words
   double width, height;
   double pixels_per_point;
-  Box strip;                ///< of the profile of q_c
-  std::vector<Box> panels;  ///< of equal size
-  int columns, rows;        ///< [pixels] of a panel
+  drawing::Box strip;                ///< of the profile of q_c
+  std::vector<drawing::Box> panels;  ///< of equal size
+  int columns, rows;                 ///< [pixels] of a panel
 };
 [[nodiscard]] Layout layout_of(const View& view);
 
@@ -62,8 +62,8 @@ struct Layout {
 
 /// The pixels of a panel: shades, white where nothing is, the boundary of sand and clay, and on a panel of
 /// the displacement the deformed grid.
-[[nodiscard]] Picture panel_picture(const View& view, std::size_t panel, const Raster& raster,
-                                    const Window& window);
+[[nodiscard]] drawing::Picture panel_picture(const View& view, std::size_t panel, const Raster& raster,
+                                             const Window& window);
 
 /// The whole frame as SVG; render it with 72 * pixels_per_point dots per inch.
 [[nodiscard]] std::string frame(const View& view, const Layout& layout, double tip_depth,

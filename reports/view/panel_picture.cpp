@@ -47,7 +47,8 @@ double from_boundary(const Raster& raster, int column, int row) {
 
 }  // namespace
 
-Picture panel_picture(const View& view, std::size_t panel, const Raster& raster, const Window& window) {
+drawing::Picture panel_picture(const View& view, std::size_t panel, const Raster& raster,
+                               const Window& window) {
   const ColourScale& scale = view.panels[panel].scale;
   const bool gridded = view.grid > 0.0 && view.panels[panel].quantity->name == "displacement";
   const std::size_t u_r = view.panels.size(), u_depth = u_r + 1;
@@ -60,7 +61,7 @@ Picture panel_picture(const View& view, std::size_t panel, const Raster& raster,
   };
   const std::size_t surcharge = view.geometry.soils;
 
-  Picture picture{raster.columns(), raster.rows(), {}};
+  drawing::Picture picture{raster.columns(), raster.rows(), {}};
   picture.pixels.reserve(static_cast<std::size_t>(picture.width) * picture.height);
   for (int row = 0; row < picture.height; ++row)
     for (int column = 0; column < picture.width; ++column) {

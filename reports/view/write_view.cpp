@@ -4,12 +4,16 @@
 
 #include <algorithm>
 
+#include "drawing/gif.hpp"
+#include "drawing/palette.hpp"
 #include "reports/figure_files.hpp"
-#include "reports/gif.hpp"
-#include "reports/palette.hpp"
+#include "reports/picture_files.hpp"
 
 namespace cpt::reports::view {
 namespace {
+
+using drawing::GifAnimation, drawing::Range;
+namespace palette = drawing::palette;
 
 constexpr double last_frame_seconds = 2.0;
 
@@ -113,24 +117,29 @@ WrittenView write_view(const results::StoredPush& push, const ViewRequest& reque
   WrittenView written{{}, {}, view.panels};
   std::optional<GifAnimation> animation;
   for (const results::StoredField& field : fields) {
-    const std::string svg =
-        frame(view, layout, field.depth, drawn_points(view, results::read_field(push, field)));
     const auto file = folder / field.file.filename().replace_extension(".png");
-    const Picture picture = render(svg, 72.0 * layout.pixels_per_point, file.string());
+    const DrawnPoints points = drawn_points(view, results::read_field(push, field));
+    const drawing::Picture picture = drawn_for(file, [&] {
+      return drawing::render(frame(view, layout, field.depth, points), 72.0 * layout.pixels_per_point);
+    });
     write_png(picture, file);
     written.frames.push_back(file);
     if (fields.size() > 1) {
       if (!animation) {
         written.animation = folder / (push.name + "-view.gif");
-        animation.emplace(written.animation, picture.width, picture.height, animation_colours(view));
+        drawn_for(written.animation,
+                  [&] { animation.emplace(picture.width, picture.height, animation_colours(view)); });
       }
       const bool last = written.frames.size() == fields.size();
-      animation->add(picture, last ? std::max(last_frame_seconds, request.seconds_per_frame)
-                                   : request.seconds_per_frame);
+      drawn_for(written.animation, [&] {
+        animation->add(picture, last ? std::max(last_frame_seconds, request.seconds_per_frame)
+                                     : request.seconds_per_frame);
+      });
     }
     drawn(written.frames.size(), fields.size());
   }
-  if (animation) animation->close();
+  if (animation)
+    write_text(written.animation, drawn_for(written.animation, [&] { return animation->close(); }));
   return written;
 }
 

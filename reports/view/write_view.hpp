@@ -11,12 +11,13 @@ namespace cpt::reports::view {
 /// What to draw. Quantities are names of view_quantities().
 struct ViewRequest {
   std::vector<std::string> show = {"void_ratio_change", "p", "displacement"};  ///< 1 to 4
-  std::optional<double> radius;         ///< [m] of the soil shown about the tip; nothing: whole chamber
-  std::map<std::string, Range> ranges;  ///< ends of scales, in the quantity's unit; others are fitted
-  int frames = 0;                       ///< at most, evenly over the stored depths; 0: all
-  int width = 1000;                     ///< [pixels]
-  double grid = 0.0;                    ///< [m] as in View
-  double seconds_per_frame = 0.15;      ///< of the animation
+  std::optional<double> radius;  ///< [m] of the soil shown about the tip; nothing: whole chamber
+  std::map<std::string, drawing::Range>
+      ranges;                       ///< ends of scales, in the quantity's unit; others are fitted
+  int frames = 0;                   ///< at most, evenly over the stored depths; 0: all
+  int width = 1000;                 ///< [pixels]
+  double grid = 0.0;                ///< [m] as in View
+  double seconds_per_frame = 0.15;  ///< of the animation
 };
 
 struct WrittenView {

@@ -16,14 +16,15 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::map<std::string, std::set<std::string>> may_include = {
+    {"drawing", {}},
     {"solver", {}},
     {"recordings", {}},
     {"parameters", {"solver"}},
     {"results", {"parameters", "solver"}},
     {"campaign", {"parameters", "results", "solver"}},
     {"diagnosis", {"recordings", "results", "campaign", "parameters", "solver"}},
-    {"reports", {"results", "diagnosis", "parameters", "solver"}},
-    {"cli", {"campaign", "diagnosis", "parameters", "recordings", "reports", "results", "solver"}},
+    {"reports", {"drawing", "results", "diagnosis", "parameters", "solver"}},
+    {"cli", {"campaign", "diagnosis", "drawing", "parameters", "recordings", "reports", "results", "solver"}},
 };
 
 // Headers from outside by pattern, and the only files (or folders, ending in '/') that may include them; ""
@@ -43,8 +44,8 @@ const std::vector<Outside> outside = {
     {"CLI/.*", {"cli/"}},
     {"nlohmann/.*",
      {"results/json_document.cpp", "results/table_format.cpp", "reports/", "diagnosis/concealed/"}},
-    {"librsvg/.*|cairo.*", {"reports/"}},
-    {"gif_lib\\.h", {"reports/gif.cpp"}},
+    {"librsvg/.*|cairo.*", {"drawing/pdf.cpp", "drawing/png.cpp", "drawing/text.cpp"}},
+    {"gif_lib\\.h", {"drawing/gif.cpp"}},
     {"Eigen/.*", {"solver/", "parameters/calibration/trend.cpp", "parameters/designs/", "diagnosis/"}},
     {"boost/math/.*",
      {"parameters/calibration/hardening.cpp", "results/discretization_error.cpp", "results/repeat_noise.cpp",

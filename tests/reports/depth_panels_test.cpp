@@ -8,6 +8,8 @@
 namespace cpt::reports {
 namespace {
 
+using drawing::plain, drawing::symbolic;
+
 DepthPanels two_panels() {
   DepthPanels figure;
   figure.title = "A & B";

@@ -4,15 +4,18 @@
 
 #include <filesystem>
 
+#include "drawing/palette.hpp"
+#include "drawing/xy_plot.hpp"
 #include "reports/labels.hpp"
 #include "reports/notes.hpp"
-#include "reports/palette.hpp"
-#include "reports/xy_plot.hpp"
 #include "solver/quantities.hpp"
 #include "tests/reports/made_up_campaigns.hpp"
 
 namespace cpt::reports {
 namespace {
+
+using drawing::Box, drawing::Column, drawing::escape, drawing::plain, drawing::Svg, drawing::XyPlot;
+namespace palette = drawing::palette;
 
 class Figures : public ::testing::Test {
  protected:

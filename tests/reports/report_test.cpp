@@ -50,8 +50,8 @@ TEST_F(Report, WritesEveryFileItNames) {
   ASSERT_EQ(files.size(), 1u + 2u * (2u * 2u + 2u) + 6u);
   for (const fs::path& file : files) EXPECT_GT(fs::file_size(file), 100u) << file;
   EXPECT_TRUE(read(folder / "report" / "tornado_embedded_sand.png").starts_with("\x89PNG"));
-  EXPECT_NEAR(png_width(folder / "report" / "profiles.png"), width_of(Column::one_and_half) / 72.0 * 300.0,
-              1.0);
+  EXPECT_NEAR(png_width(folder / "report" / "profiles.png"),
+              drawing::width_of(drawing::Column::one_and_half) / 72.0 * 300.0, 1.0);
 }
 
 TEST_F(Report, PdfHasEveryFigureAtColumnWidthWithLegibleType) {

@@ -9,6 +9,8 @@
 namespace cpt::reports::view {
 namespace {
 
+using drawing::Box, drawing::Picture, drawing::Tick;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ColourMaps, HaveTheirPublishedColours) {
@@ -184,7 +186,7 @@ TEST(Frame, PanelShowsKnownValuesInTheirExactColours) {
   fill(points, 0.0, 0.06, 0.1, 0.4, 0.002, sand, 50.0);
   fill(points, 0.06, 0.12, 0.1, 0.4, 0.002, sand, 400.0);
 
-  const Picture picture = render(frame(view, layout, tip, points), 72.0 * layout.pixels_per_point, "frame");
+  const Picture picture = drawing::render(frame(view, layout, tip, points), 72.0 * layout.pixels_per_point);
   EXPECT_EQ(picture.width, 500);
   const auto pixel = [&](double r, double depth) {
     const Box& box = layout.panels[0];

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "drawing/text.hpp"
 #include "reports/diagnosis/errors.hpp"
 #include "reports/diagnosis/figures.hpp"
 #include "reports/diagnosis/page.hpp"
 #include "reports/diagnosis/sentences.hpp"
 #include "reports/diagnosis/words.hpp"
-#include "reports/text.hpp"
 #include "tests/reports/diagnosis/made_up_diagnosis.hpp"
 
 namespace cpt::reports::diagnosed {
@@ -86,7 +86,7 @@ TEST(DiagnosisAnswer, WhereAndHowMuchAreThoseOfTheFigureWhateverTheScanSays) {
       const std::string figure = residual_figure(input);
       expect(figure, "mismatch, recording " + side);
       expect_not(figure, "mismatch, recording " + std::string(mean < 0.0 ? "above" : "below"));
-      expect(page(input, {}), "| push | 0.030 | 0.113 | " + decimals(mean, 1) + " | ");
+      expect(page(input, {}), "| push | 0.030 | 0.113 | " + drawing::decimals(mean, 1) + " | ");
     }
 }
 

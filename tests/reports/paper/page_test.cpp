@@ -6,7 +6,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "reports/markdown.hpp"
+#include "drawing/markdown.hpp"
 #include "reports/paper/figures.hpp"
 #include "reports/paper/index_tables.hpp"
 #include "reports/paper/write_paper.hpp"
@@ -25,8 +25,8 @@ std::string read(const fs::path& file) {
 bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 TEST(Markdown, BarsInCellsDoNotMakeColumns) {
-  EXPECT_EQ(table_line({"|SI|", "a\nb"}), "| \\|SI\\| | a b |\n");
-  EXPECT_EQ(table_head({"a", "b"}), "| a | b |\n| --- | --- |\n");
+  EXPECT_EQ(drawing::table_line({"|SI|", "a\nb"}), "| \\|SI\\| | a b |\n");
+  EXPECT_EQ(drawing::table_head({"a", "b"}), "| a | b |\n| --- | --- |\n");
 }
 
 TEST(PaperPage, LinksOnlyFilesThatAreThere) {

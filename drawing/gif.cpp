@@ -1,4 +1,4 @@
-#include "reports/gif.hpp"
+#include "drawing/gif.hpp"
 
 #include <fmt/format.h>
 #include <gif_lib.h>
@@ -7,10 +7,9 @@
 #include <array>
 #include <cmath>
 
-#include "reports/figure_files.hpp"
-#include "results/error.hpp"
+#include "drawing/error.hpp"
 
-namespace cpt::reports {
+namespace cpt::drawing {
 namespace {
 
 constexpr int bits = 8;
@@ -30,16 +29,12 @@ int distance(std::uint32_t a, std::uint32_t b) {
          squared(part(a, 0) - part(b, 0));
 }
 
+[[noreturn]] void fail(const std::string& why) { throw Error(fmt::format("cannot be written ({})", why)); }
+
 }  // namespace
 
-void GifAnimation::fail(const std::string& why) const {
-  throw results::Error(fmt::format("{}: cannot be written ({})", file_.string(), why));
-}
-
-GifAnimation::GifAnimation(std::filesystem::path file, int width, int height,
-                           std::vector<std::uint32_t> colours)
-    : file_(std::move(file)),
-      width_(width),
+GifAnimation::GifAnimation(int width, int height, std::vector<std::uint32_t> colours)
+    : width_(width),
       height_(height),
       colours_(std::move(colours)),
       gif_(nullptr, [](GifFileType* gif) { EGifCloseFile(gif, nullptr); }) {
@@ -124,10 +119,10 @@ void GifAnimation::add(const Picture& picture, double seconds) {
   if (!good) fail(reason(gif->Error));
 }
 
-void GifAnimation::close() {
+std::string GifAnimation::close() {
   int error = 0;
   if (EGifCloseFile(gif_.release(), &error) != GIF_OK) fail(reason(error));
-  write_text(file_, bytes_);
+  return std::move(bytes_);
 }
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

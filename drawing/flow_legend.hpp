@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/svg.hpp"
+#include "drawing/svg.hpp"
 
-namespace cpt::reports {
+namespace cpt::drawing {
 
 class FlowLegend {
  public:
@@ -36,4 +36,4 @@ class FlowLegend {
   std::vector<Entry> entries_;
 };
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

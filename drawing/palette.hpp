@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-namespace cpt::reports::palette {
+namespace cpt::drawing::palette {
 
 inline constexpr std::string_view ink = "#222222";
 inline constexpr std::string_view muted = "#666666";
@@ -25,4 +25,4 @@ inline constexpr std::string_view orange = "#e69f00";
 /// In the order in which curves are told apart.
 inline constexpr std::array<std::string_view, 6> series = {vermillion, blue, green, purple, orange, sky};
 
-}  // namespace cpt::reports::palette
+}  // namespace cpt::drawing::palette

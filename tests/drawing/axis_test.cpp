@@ -1,10 +1,10 @@
-#include "reports/axis.hpp"
+#include "drawing/axis.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace cpt::reports {
+namespace cpt::drawing {
 namespace {
 
 std::vector<std::string> labels(double low, double high, int count) {
@@ -67,4 +67,4 @@ TEST(Axis, LabelsDoNotTouch) {
 }
 
 }  // namespace
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "reports/axis.hpp"
-#include "reports/svg.hpp"
+#include "drawing/axis.hpp"
+#include "drawing/svg.hpp"
 
-namespace cpt::reports {
+namespace cpt::drawing {
 
 struct XyCurve {
   std::vector<Point> points;  ///< data, not paper
@@ -26,4 +26,4 @@ struct XyPlot {
 /// Axes wide enough for all curves and the room, then the curves.
 void draw(Svg& svg, const Box& box, const XyPlot& plot);
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

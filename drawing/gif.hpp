@@ -2,37 +2,34 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
-#include "reports/png.hpp"
+#include "drawing/png.hpp"
 
 struct GifFileType;  // of giflib
 
-namespace cpt::reports {
+namespace cpt::drawing {
 
-/// Encodes frame after frame in memory; close() writes the file, whole.
+/// Encodes frame after frame in memory; close() gives the whole.
 class GifAnimation {
  public:
   /// All pictures are of this size (1 to 65535 pixels each way), and drawn in the nearest of these colours
-  /// (0xRRGGBB, 2 to 255 of them). Repeats for ever. Throws results::Error if giflib refuses.
-  GifAnimation(std::filesystem::path file, int width, int height, std::vector<std::uint32_t> colours);
+  /// (0xRRGGBB, 2 to 255 of them). Repeats for ever. Throws Error if giflib refuses.
+  GifAnimation(int width, int height, std::vector<std::uint32_t> colours);
   GifAnimation(const GifAnimation&) = delete;
   GifAnimation& operator=(const GifAnimation&) = delete;
 
-  /// Adds a picture that stays for so many seconds (0.02 to 600, in hundredths). Throws results::Error.
+  /// Adds a picture that stays for so many seconds (0.02 to 600, in hundredths). Throws Error.
   void add(const Picture& picture, double seconds);
-  /// Nothing may be added afterwards; without it there is no file. Throws results::Error.
-  void close();
+  /// The animation as a file holds it; nothing may be added afterwards. Throws Error.
+  [[nodiscard]] std::string close();
 
  private:
-  [[noreturn]] void fail(const std::string& why) const;
   [[nodiscard]] std::uint8_t nearest(std::uint32_t colour);
 
-  std::filesystem::path file_;
   int width_, height_;
   std::vector<std::uint32_t> colours_;
   std::unordered_map<std::uint32_t, std::uint8_t> found_;  // colours whose nearest is known
@@ -41,4 +38,4 @@ class GifAnimation {
   std::unique_ptr<GifFileType, void (*)(GifFileType*)> gif_;  // writes to bytes_
 };
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

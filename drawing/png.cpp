@@ -1,4 +1,4 @@
-#include "reports/png.hpp"
+#include "drawing/png.hpp"
 
 #include <cairo.h>
 #include <fmt/format.h>
@@ -8,17 +8,17 @@
 #include <cstring>
 #include <memory>
 
-#include "results/atomic_file.hpp"
+#include "drawing/error.hpp"
 
-namespace cpt::reports {
+namespace cpt::drawing {
 namespace {
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 
-[[noreturn]] void fail(const std::string& what, GError* error) {
+[[noreturn]] void fail(GError* error) {
   const std::string why = error != nullptr ? error->message : "unknown reason";
   if (error != nullptr) g_error_free(error);
-  throw results::Error(fmt::format("{}: cannot be drawn ({})", what, why));
+  throw Error(fmt::format("cannot be drawn ({})", why));
 }
 
 Surface surface_of(int width, int height) {
@@ -39,30 +39,18 @@ Surface surface_of(const Picture& picture) {
   return surface;
 }
 
-std::string png_bytes(const Picture& picture) {
-  std::string png;
-  const auto append = [](void* to, const unsigned char* bytes, unsigned count) {
-    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), count);
-    return CAIRO_STATUS_SUCCESS;
-  };
-  const cairo_status_t status = cairo_surface_write_to_png_stream(surface_of(picture).get(), append, &png);
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw results::Error(fmt::format("a picture cannot be drawn ({})", cairo_status_to_string(status)));
-  return png;
-}
-
 }  // namespace
 
-Picture render(const std::string& svg, double dots_per_inch, const std::string& what) {
+Picture render(const std::string& svg, double dots_per_inch) {
   GError* error = nullptr;
   const std::unique_ptr<RsvgHandle, decltype(&g_object_unref)> handle(
       rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error),
       g_object_unref);
-  if (handle == nullptr) fail(what, error);
+  if (handle == nullptr) fail(error);
   rsvg_handle_set_dpi(handle.get(), dots_per_inch);
   double width = 0.0;
   double height = 0.0;
-  if (rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width, &height) == 0) fail(what, nullptr);
+  if (rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width, &height) == 0) fail(nullptr);
 
   // A size that was meant to be whole may miss it by rounding.
   const auto whole = [](double size) { return static_cast<int>(std::ceil(size - 1e-6)); };
@@ -72,11 +60,11 @@ Picture render(const std::string& svg, double dots_per_inch, const std::string& 
   cairo_set_source_rgb(context.get(), 1.0, 1.0, 1.0);
   cairo_paint(context.get());
   const RsvgRectangle viewport{0.0, 0.0, width, height};
-  if (rsvg_handle_render_document(handle.get(), context.get(), &viewport, &error) == 0) fail(what, error);
+  if (rsvg_handle_render_document(handle.get(), context.get(), &viewport, &error) == 0) fail(error);
 
   cairo_surface_flush(surface.get());
   const unsigned char* const data = cairo_image_surface_get_data(surface.get());
-  if (data == nullptr) fail(what, nullptr);
+  if (data == nullptr) fail(nullptr);
   Picture picture{whole(width), whole(height), {}};
   picture.pixels.resize(static_cast<std::size_t>(picture.width) * picture.height);
   for (int row = 0; row < picture.height; ++row)
@@ -87,19 +75,23 @@ Picture render(const std::string& svg, double dots_per_inch, const std::string& 
   return picture;
 }
 
-void write_png(const Picture& picture, const std::filesystem::path& file) {
-  results::replace_file(file, png_bytes(picture));
-}
-
-void write_png(const std::string& svg, const std::filesystem::path& file, double dots_per_inch) {
-  write_png(render(svg, dots_per_inch, file.string()), file);
+std::string png(const Picture& picture) {
+  std::string bytes;
+  const auto append = [](void* to, const unsigned char* more, unsigned count) {
+    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(more), count);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface_of(picture).get(), append, &bytes);
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw Error(fmt::format("cannot be drawn ({})", cairo_status_to_string(status)));
+  return bytes;
 }
 
 std::string png_uri(const Picture& picture) {
-  const std::string png = png_bytes(picture);
+  const std::string bytes = png(picture);
   const std::unique_ptr<gchar, decltype(&g_free)> text(
-      g_base64_encode(reinterpret_cast<const guchar*>(png.data()), png.size()), g_free);
+      g_base64_encode(reinterpret_cast<const guchar*>(bytes.data()), bytes.size()), g_free);
   return "data:image/png;base64," + std::string(text.get());
 }
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

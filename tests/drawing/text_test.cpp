@@ -1,10 +1,10 @@
-#include "reports/text.hpp"
+#include "drawing/text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace cpt::reports {
+namespace cpt::drawing {
 namespace {
 
 TEST(Text, EscapesMarkupAndQuotes) {
@@ -55,4 +55,4 @@ TEST(Text, NumbersKeepTheirDigits) {
 }
 
 }  // namespace
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

@@ -3,10 +3,10 @@
 
 #include <string_view>
 
-#include "reports/flow_legend.hpp"
-#include "reports/svg.hpp"
+#include "drawing/flow_legend.hpp"
+#include "drawing/svg.hpp"
 
-namespace cpt::reports::bar_rows {
+namespace cpt::drawing::bar_rows {
 
 inline constexpr double pitch = 15.5;
 inline constexpr double bar_height = 9.5;
@@ -19,4 +19,4 @@ void draw_whisker(Svg& svg, double from, double to, double y);
 /// An entry with a patch of a colour.
 void add_patch(FlowLegend& legend, const Rich& text, std::string_view fill);
 
-}  // namespace cpt::reports::bar_rows
+}  // namespace cpt::drawing::bar_rows

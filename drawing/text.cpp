@@ -1,4 +1,4 @@
-#include "reports/text.hpp"
+#include "drawing/text.hpp"
 
 #include <cairo.h>
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-namespace cpt::reports {
+namespace cpt::drawing {
 namespace {
 
 struct Character {
@@ -178,4 +178,4 @@ std::string decimals(double value, int digits) {
   return true_minus(text);
 }
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

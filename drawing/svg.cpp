@@ -1,4 +1,4 @@
-#include "reports/svg.hpp"
+#include "drawing/svg.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-namespace cpt::reports {
+namespace cpt::drawing {
 namespace {
 
 /// Two decimals of a point are 4 micrometres on paper.
@@ -124,4 +124,4 @@ std::string Svg::document(std::string_view title) const {
       length(width_), length(height_), font_family, escape(title), body_);
 }
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

@@ -1,6 +1,6 @@
-#include "reports/markdown.hpp"
+#include "drawing/markdown.hpp"
 
-namespace cpt::reports {
+namespace cpt::drawing {
 
 std::string table_line(const std::vector<std::string>& cells) {
   std::string line = "|";
@@ -19,4 +19,4 @@ std::string table_head(const std::vector<std::string>& columns) {
   return table_line(columns) + table_line(std::vector<std::string>(columns.size(), "---"));
 }
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

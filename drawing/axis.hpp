@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "reports/svg.hpp"
+#include "drawing/svg.hpp"
 
-namespace cpt::reports {
+namespace cpt::drawing {
 
 /// Maps data to paper, linearly; `from` may lie to the right of or below `to`.
 struct Axis {
@@ -39,4 +39,4 @@ void draw_horizontal(Svg& svg, const Box& plot, const Axis& axis, Edge edge, con
 /// The same for a vertical axis along the left.
 void draw_vertical(Svg& svg, const Box& plot, const Axis& axis, const Rich& title, int count);
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

@@ -1,10 +1,10 @@
-#include "reports/bar_rows.hpp"
+#include "drawing/bar_rows.hpp"
 
 #include <string>
 
-#include "reports/palette.hpp"
+#include "drawing/palette.hpp"
 
-namespace cpt::reports::bar_rows {
+namespace cpt::drawing::bar_rows {
 
 void draw_label(Svg& svg, const Box& plot, double y, const Rich& label) {
   svg.text({plot.x - 8.0, y + 0.34 * label_size}, label, {.size = label_size, .anchor = Anchor::end});
@@ -22,4 +22,4 @@ void add_patch(FlowLegend& legend, const Rich& text, std::string_view fill) {
   });
 }
 
-}  // namespace cpt::reports::bar_rows
+}  // namespace cpt::drawing::bar_rows

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cpt::reports {
+namespace cpt::drawing {
 
 /// Text made safe for XML and HTML content and attributes; bytes that are not UTF-8 or not allowed become
 /// U+FFFD.
@@ -41,4 +41,4 @@ inline constexpr std::string_view font_family = "DejaVu Sans, Verdana, Arial, sa
 /// A number with so many decimals and a true minus sign; "–" for NaN.
 [[nodiscard]] std::string decimals(double value, int digits);
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

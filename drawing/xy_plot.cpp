@@ -1,4 +1,4 @@
-#include "reports/xy_plot.hpp"
+#include "drawing/xy_plot.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/palette.hpp"
+#include "drawing/palette.hpp"
 
-namespace cpt::reports {
+namespace cpt::drawing {
 namespace {
 
 struct Extent {
@@ -81,4 +81,4 @@ void draw(Svg& svg, const Box& box, const XyPlot& plot) {
   svg.frame(box, {palette::ink, 0.6, {}});
 }
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

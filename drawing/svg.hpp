@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "reports/text.hpp"
+#include "drawing/text.hpp"
 
-namespace cpt::reports {
+namespace cpt::drawing {
 
 struct Point {
   double x, y;
@@ -67,4 +67,4 @@ class Svg {
   int clips_ = 0;
 };
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

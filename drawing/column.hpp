@@ -1,7 +1,7 @@
 // The widths at which journals print figures.
 #pragma once
 
-namespace cpt::reports {
+namespace cpt::drawing {
 
 /// Columns of Elsevier's journals [mm]: single, one and a half, double.
 enum class Column { single = 90, one_and_half = 140, full = 190 };
@@ -9,4 +9,4 @@ enum class Column { single = 90, one_and_half = 140, full = 190 };
 /// In typographic points.
 [[nodiscard]] constexpr double width_of(Column column) { return static_cast<int>(column) / 25.4 * 72.0; }
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

@@ -1,8 +1,8 @@
-#include "reports/flow_legend.hpp"
+#include "drawing/flow_legend.hpp"
 
 #include <utility>
 
-namespace cpt::reports {
+namespace cpt::drawing {
 
 void FlowLegend::add(double glyph_width, const Rich& text, std::function<void(Svg&, Point)> draw) {
   entries_.push_back({glyph_width, text, std::move(draw)});
@@ -47,4 +47,4 @@ void FlowLegend::draw(Svg& svg, Point at, double room) const {
   }
 }
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing

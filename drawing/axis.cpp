@@ -1,12 +1,12 @@
-#include "reports/axis.hpp"
+#include "drawing/axis.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "reports/palette.hpp"
+#include "drawing/palette.hpp"
 
-namespace cpt::reports {
+namespace cpt::drawing {
 namespace {
 
 constexpr double tick_label_size = 7.5;
@@ -92,4 +92,4 @@ void draw_vertical(Svg& svg, const Box& plot, const Axis& axis, const Rich& titl
            {.size = axis_title_size, .anchor = Anchor::middle, .upward = true});
 }
 
-}  // namespace cpt::reports
+}  // namespace cpt::drawing
