@@ -9,12 +9,12 @@
 #include "cli/plan_file.hpp"
 #include "cli/realization_command.hpp"
 #include "cli/study_runner.hpp"
-#include "diagnosis/concealed/sealed_files.hpp"
+#include "validation/concealed/sealed_files.hpp"
 
 namespace cpt::cli {
 namespace {
 
-using namespace diagnosis::concealed;
+using namespace validation::concealed;
 
 struct ConcealArguments {
   std::filesystem::path plan;

@@ -9,7 +9,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/ledger_argument.hpp"
 #include "cli/study_argument.hpp"
-#include "reports/numerics/write_numerics.hpp"
+#include "validation/numerics/write_numerics.hpp"
 
 namespace cpt::cli {
 namespace {
@@ -20,11 +20,11 @@ struct NumericsArguments {
 };
 
 int numerics(const NumericsArguments& arguments) {
-  std::vector<reports::numerics::NumericsStudy> studies;
+  std::vector<validation::numerics::NumericsStudy> studies;
   for (const std::filesystem::path& source : arguments.sources)
-    studies.push_back(
-        reports::numerics::read_numerics(results::read_snapshot(open_ledger(source)), database_of(source)));
-  for (const auto& file : reports::numerics::write_numerics(studies, arguments.out))
+    studies.push_back(validation::numerics::read_numerics(results::read_snapshot(open_ledger(source)),
+                                                          database_of(source)));
+  for (const auto& file : validation::numerics::write_numerics(studies, arguments.out))
     fmt::print("{}\n", file.string());
   return all_well;
 }

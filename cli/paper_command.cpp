@@ -6,7 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/exit_codes.hpp"
-#include "reports/paper/write_paper.hpp"
+#include "validation/paper/write_paper.hpp"
 
 namespace cpt::cli {
 namespace {
@@ -17,7 +17,7 @@ struct PaperArguments {
   std::filesystem::path causes;
 };
 
-using namespace reports::paper;
+using namespace validation::paper;
 
 std::vector<Cause> causes_of(const PaperArguments& arguments) {
   if (!arguments.causes.empty()) return read_causes(arguments.causes);

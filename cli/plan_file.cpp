@@ -15,10 +15,10 @@ PlanFile read_plan_file(const std::filesystem::path& file) {
     read.study = std::move(study.study);
     read.study_text = std::move(study.text);
   }
-  auto parsed = diagnosis::concealed::parse_plan(text, file, read.study);
+  auto parsed = validation::concealed::parse_plan(text, file, read.study);
   if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
     throw BadInput(parameters::format(*errors));
-  read.plan = std::get<diagnosis::concealed::Plan>(std::move(parsed));
+  read.plan = std::get<validation::concealed::Plan>(std::move(parsed));
   return read;
 }
 

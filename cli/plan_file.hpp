@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "diagnosis/concealed/plan.hpp"
+#include "validation/concealed/plan.hpp"
 
 namespace cpt::cli {
 
@@ -11,7 +11,7 @@ namespace cpt::cli {
 struct PlanFile {
   parameters::Study study;
   std::string study_text;
-  diagnosis::concealed::Plan plan;
+  validation::concealed::Plan plan;
 };
 
 /// Throws BadInput with all that is wrong in plan and study.

@@ -10,17 +10,17 @@
 #include "cli/plan_file.hpp"
 #include "cli/request_file.hpp"
 #include "cli/study_argument.hpp"
-#include "diagnosis/concealed/judge.hpp"
-#include "diagnosis/concealed/sealed_files.hpp"
-#include "reports/concealed/page.hpp"
 #include "results/file_bytes.hpp"
 #include "results/provenance.hpp"
+#include "validation/concealed/judge.hpp"
+#include "validation/concealed/page.hpp"
+#include "validation/concealed/sealed_files.hpp"
 
 namespace cpt::cli {
 namespace {
 
 using namespace diagnosis;
-using namespace diagnosis::concealed;
+using namespace validation::concealed;
 
 struct RevealArguments {
   std::vector<std::filesystem::path> plans;
@@ -85,13 +85,13 @@ class Campaigns {
   std::map<std::filesystem::path, results::Snapshot> read_;
 };
 
-reports::concealed::Benchmark opened(const std::filesystem::path& plan_file) {
+validation::concealed::Benchmark opened(const std::filesystem::path& plan_file) {
   const PlanFile file = read_plan_file(plan_file);
   const Plan& plan = file.plan;
   const std::map<int, StoredAnswer> answers = answers_of(plan);
   const std::map<int, Truth> truths = opened_truths(plan);
   Campaigns campaigns;
-  reports::concealed::Benchmark benchmark;
+  validation::concealed::Benchmark benchmark;
   benchmark.name = plan.request.name;
   benchmark.title = plan.request.title;
   benchmark.profile = std::string(to_string(file.study.profile));
@@ -112,14 +112,14 @@ reports::concealed::Benchmark opened(const std::filesystem::path& plan_file) {
 }
 
 int reveal(const RevealArguments& arguments) {
-  std::vector<reports::concealed::Benchmark> benchmarks;
+  std::vector<validation::concealed::Benchmark> benchmarks;
   try {
     for (const std::filesystem::path& plan : arguments.plans) benchmarks.push_back(opened(plan));
   } catch (const std::invalid_argument& problem) {
     throw BadInput(problem.what());
   }
   const std::string note = arguments.note.empty() ? "" : file_text(arguments.note);
-  const auto files = reports::concealed::write_page(benchmarks, note, arguments.out);
+  const auto files = validation::concealed::write_page(benchmarks, note, arguments.out);
   int cases = 0, right = 0;
   for (const auto& benchmark : benchmarks)
     for (const Judged& judged : benchmark.cases) {

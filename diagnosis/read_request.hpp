@@ -30,7 +30,8 @@ namespace cpt::diagnosis {
 using RequestOrErrors = std::variant<Request, std::vector<parameters::StudyError>>;
 
 /// Whether the soundings name their recordings, or are the plan of recordings to be made: then each has a
-/// `name` instead, and the file may have a section [cases], which is read elsewhere (concealed/plan.hpp).
+/// `name` instead, and the file may have a section [cases], which is read elsewhere
+/// (validation/concealed/plan.hpp).
 enum class Recordings { given, to_be_made };
 
 /// `study` is what the file's own key `study` names, read before (study_of_request). Never throws for what

@@ -108,7 +108,7 @@ Source read(const fs::path& file) {
 std::map<std::string, Source> all_sources() {
   std::map<std::string, Source> sources;
   for (const char* layer : {"drawing", "solver", "recordings", "parameters", "results", "campaign",
-                            "diagnosis", "reports", "cli"})
+                            "diagnosis", "reports", "validation", "cli"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(PROJECT_ROOT) / layer))
       if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp")
         sources[fs::relative(entry.path(), PROJECT_ROOT).string()] = read(entry.path());

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "diagnosis/concealed/plan.hpp"
 #include "request_fixture.hpp"
 
 namespace cpt::diagnosis {
@@ -20,19 +19,13 @@ std::vector<StudyError> errors_with(const KeyTable& table, const Key& key, const
   const std::string study = table.name.empty() && key.name == "study" ? "" : "study = \"sand.toml\"\n";
   const std::string head =
       table.list ? fmt::format("[[{}]]\n", table.name) : fmt::format("[{}]\n", table.name);
-  if (table.name != "cases")
-    return errors_of(table.name.empty() ? entry + study + sounding : study + sounding + head + entry);
-  const std::string push = "[[soundings]]\nname = \"a\"\nfrom_m = 0.04\nto_m = 0.28\n";
-  const auto parsed =
-      concealed::parse_plan(study + push + "[noise]\nmeasurement_percent = 1\n" + head + entry,
-                            "/requests/plan.toml", quick_sand());
-  const auto* errors = std::get_if<std::vector<StudyError>>(&parsed);
-  return errors != nullptr ? *errors : std::vector<StudyError>();
+  return errors_of(table.name.empty() ? entry + study + sounding : study + sounding + head + entry);
 }
 
 TEST(RequestKeys, TheReaderReadsEveryOneOfThem) {
   int keys = 0;
-  for (const KeyTable& table : request_keys())
+  for (const KeyTable& table : request_keys()) {
+    if (table.name == "cases") continue;  // of a plan
     for (const Key& key : table.keys) {
       ++keys;
       const auto errors = errors_with(table, key, "1979-05-27");  // a date is nothing that any key takes
@@ -41,7 +34,8 @@ TEST(RequestKeys, TheReaderReadsEveryOneOfThem) {
       });
       EXPECT_TRUE(told) << table.name << "." << key.name << "\n" << format(errors);
     }
-  EXPECT_GE(keys, 26);
+  }
+  EXPECT_GE(keys, 21);
 }
 
 TEST(RequestKeys, WhatHoldsWithoutThemIsWhatTheReaderTakes) {

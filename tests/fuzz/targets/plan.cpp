@@ -1,11 +1,11 @@
-#include "diagnosis/concealed/plan.hpp"
+#include "validation/concealed/plan.hpp"
 
 #include "tests/fuzz/targets.hpp"
 #include "tests/fuzz/targets/quick_study.hpp"
 
 namespace cpt::fuzz {
 
-using namespace diagnosis::concealed;
+using namespace validation::concealed;
 
 Fate plan(std::string_view toml) {
   const PlanOrErrors read = parse_plan(toml, "/plans/fuzzed.toml", quick_study());

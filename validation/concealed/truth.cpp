@@ -1,0 +1,303 @@
+#include "validation/concealed/truth.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <stdexcept>
+
+#include "results/provenance.hpp"
+
+namespace cpt::validation::concealed {
+namespace {
+
+using diagnosis::Index, diagnosis::mechanism_changes, diagnosis::MechanismDesign, diagnosis::Random,
+    diagnosis::Request, diagnosis::SoundingRequest, diagnosis::VectorXd;
+
+using parameters::Change;
+using Json = nlohmann::json;
+
+constexpr double reading_spacing = 0.001;  // [m] of the recordings
+
+template <class T>
+void shuffle(std::vector<T>& items, Random& random) {
+  for (std::size_t i = items.size(); i > 1; --i)
+    std::iter_swap(items.begin() + static_cast<std::ptrdiff_t>(i - 1),
+                   items.begin() + random.below(static_cast<Index>(i)));
+}
+
+// 0 ... kinds - 1 over and over, every round in a random order of its own.
+class Rotation {
+ public:
+  explicit Rotation(std::size_t kinds) : kinds_(kinds) {}
+  std::size_t next(Random& random) {
+    if (left_.empty()) {
+      left_.resize(kinds_);
+      std::iota(left_.begin(), left_.end(), std::size_t{0});
+      shuffle(left_, random);
+    }
+    const std::size_t kind = left_.back();
+    left_.pop_back();
+    return kind;
+  }
+
+ private:
+  std::size_t kinds_;
+  std::vector<std::size_t> left_;
+};
+
+MechanismDesign varied_of(const solver::Mechanism& mechanism) {
+  MechanismDesign design{&mechanism, {}, {}, 0, {}};
+  for (std::size_t j = 0; j < mechanism.parameters.size(); ++j)
+    if (mechanism.parameters[j].prior_lower < mechanism.parameters[j].prior_upper) design.varied.push_back(j);
+  return design;
+}
+
+Part draw_part(const solver::Mechanism& mechanism, Random& random) {
+  const auto dimensions = static_cast<Index>(varied_of(mechanism).varied.size());
+  Part part{&mechanism, VectorXd(dimensions)};
+  for (Index d = 0; d < dimensions; ++d) part.place(d) = random.uniform();
+  return part;
+}
+
+Numerics draw_numerics(Random& random) {
+  Numerics numerics{};
+  numerics.point_shift = random.uniform() - 0.5;
+  numerics.courant = 0.7 + 0.3 * random.uniform();
+  numerics.near_height = 1.0 + 0.12 * random.uniform();
+  numerics.noise_seed = static_cast<std::uint64_t>(random.uniform() * 0x1p52);
+  return numerics;
+}
+
+double value_at(const parameters::Row& row, double place) {
+  double value = row.lower + place * (row.upper - row.lower);
+  if (!row.quantity->choices.empty()) value = place < 0.5 ? row.lower : row.upper;
+  if (row.quantity->integer) value = std::round(value);
+  return value;
+}
+
+std::vector<Change> changes_of(const Truth& truth, const SoundingRequest& known,
+                               const parameters::Study& study, std::size_t sounding) {
+  std::vector<Change> changes;
+  for (std::size_t j = 0; j < study.rows.size(); ++j) {
+    const parameters::Row& row = study.rows[j];
+    if (std::ranges::none_of(known.changes, [&](const Change& c) { return c.quantity == row.quantity; }))
+      changes.push_back({row.quantity, value_at(row, truth.soil(static_cast<Index>(j)))});
+  }
+  for (const Part& part : truth.parts)
+    for (const Change& change : mechanism_changes(varied_of(*part.mechanism), part.place))
+      changes.push_back(change);
+  const Numerics& numerics = truth.soundings[sounding];
+  const auto set = [&](std::string_view name, double si) {
+    const solver::Quantity* quantity = solver::find_quantity(name);
+    changes.push_back({quantity, si / quantity->scale});
+  };
+  set("numerics.point_shift", numerics.point_shift);
+  set("numerics.courant", numerics.courant * study.baseline.numerics.courant);
+  set("numerics.near_height_m", numerics.near_height * study.baseline.numerics.near_height);
+  return changes;
+}
+
+bool possible(const Truth& truth, const Plan& plan, const parameters::Study& study) {
+  for (std::size_t s = 0; s < truth.soundings.size(); ++s) {
+    solver::Setup setup = study.baseline;
+    for (const Change& change : plan.request.soundings[s].changes)
+      change.quantity->set_value(setup, change.value);
+    for (const Change& change : changes_of(truth, plan.request.soundings[s], study, s))
+      change.quantity->set_value(setup, change.value);
+    if (!solver::problems(setup).empty()) return false;
+  }
+  return true;
+}
+
+Json array(const VectorXd& values) { return std::vector<double>(values.begin(), values.end()); }
+
+VectorXd vector(const Json& json) {
+  const auto values = json.get<std::vector<double>>();
+  return VectorXd::Map(values.data(), static_cast<Index>(values.size()));
+}
+
+}  // namespace
+
+std::string Truth::kind() const {
+  if (outside) return catalogued(*outside) != nullptr ? "single" : "outside";
+  return parts.empty() ? "nothing" : parts.size() == 1 ? "single" : "pair";
+}
+
+std::string case_name(int id) { return fmt::format("case-{:03}", id); }
+std::string request_file(int id) { return case_name(id) + ".toml"; }
+std::string recording_file(int id, std::size_t sounding) {
+  return fmt::format("{}-{}.csv", case_name(id), sounding + 1);
+}
+
+std::vector<Truth> draw_truths(const Plan& plan, const parameters::Study& study, std::uint64_t seed) {
+  Random random(seed, 0);
+  const Counts& counts = plan.cases;
+  std::vector<std::string_view> kinds;
+  for (const auto& [kind, count] : {std::pair{"nothing", counts.nothing}, std::pair{"single", counts.single},
+                                    std::pair{"pair", counts.pair}, std::pair{"outside", counts.outside}})
+    kinds.insert(kinds.end(), static_cast<std::size_t>(count), kind);
+  shuffle(kinds, random);
+  std::vector<bool> two(kinds.size(), false);
+  std::fill_n(two.begin(), counts.two_soundings, true);
+  shuffle(two, random);
+
+  Rotation mechanisms(plan.request.mechanisms.size()), outsides(outside_kinds().size());
+  std::vector<Truth> truths;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    std::vector<const solver::Mechanism*> chosen;
+    if (kinds[i] == "single" || kinds[i] == "pair")
+      chosen.push_back(plan.request.mechanisms[mechanisms.next(random)]);
+    while (kinds[i] == "pair" && chosen.size() < 2) {
+      const solver::Mechanism* second = plan.request.mechanisms[mechanisms.next(random)];
+      if (second != chosen.front()) chosen.push_back(second);
+    }
+    const std::string_view outside = kinds[i] == "outside" ? outside_kinds()[outsides.next(random)] : "";
+    for (int tries = 0;; ++tries) {
+      if (tries == 100) throw std::invalid_argument("a hundred draws in turn were no possible setup");
+      Truth truth{static_cast<int>(i) + 1, {}, std::nullopt, VectorXd(study.rows.size()), {}};
+      for (double& place : truth.soil) place = random.uniform();
+      for (const solver::Mechanism* mechanism : chosen) truth.parts.push_back(draw_part(*mechanism, random));
+      const SoundingRequest& first = plan.request.soundings.front();
+      if (!outside.empty()) truth.outside = draw_outside(outside, first.from, first.to, random);
+      for (int s = 0; s < (two[i] ? 2 : 1); ++s) truth.soundings.push_back(draw_numerics(random));
+      if (!possible(truth, plan, study)) continue;
+      truths.push_back(std::move(truth));
+      break;
+    }
+  }
+  return truths;
+}
+
+parameters::Study truth_study(const Plan& plan, const parameters::Study& study,
+                              const std::vector<Truth>& truths, std::size_t sounding) {
+  parameters::Study made = study;
+  for (const Change& change : plan.request.soundings[sounding].changes)
+    change.quantity->set_value(made.baseline, change.value);
+  made.name = fmt::format("sounding-{}", sounding + 1);
+  made.title = plan.request.title + ", sealed runs";
+  made.database = plan.sealed_folder / (made.name + ".sqlite");
+  made.curves = plan.sealed_folder / (made.name + ".h5");
+  made.report_dir = plan.sealed_folder / (made.name + "-report");
+  made.points.clear();
+  made.design = {};
+  for (const Truth& truth : truths)
+    if (sounding < truth.soundings.size())
+      made.points.push_back(
+          {case_name(truth.id), changes_of(truth, plan.request.soundings[sounding], study, sounding)});
+  made.rows.clear();
+  return made;
+}
+
+std::string recording_text(const Plan& plan, const Truth& truth, std::size_t sounding,
+                           const solver::DepthProfile& profile) {
+  // Means over a millimetre, then the effect, then the noise.
+  std::vector<double> depth, q_c, count;
+  for (std::size_t i = 0; i < profile.depth.size(); ++i) {
+    if (!std::isfinite(profile.q_c[i])) continue;
+    const double place = (std::floor(profile.depth[i] / reading_spacing) + 0.5) * reading_spacing;
+    if (depth.empty() || place - depth.back() > 0.5 * reading_spacing) {
+      depth.push_back(place);
+      q_c.push_back(0.0);
+      count.push_back(0.0);
+    }
+    q_c.back() += profile.q_c[i];
+    count.back() += 1.0;
+  }
+  for (std::size_t i = 0; i < q_c.size(); ++i) q_c[i] /= count[i];
+  if (truth.outside) q_c = with_outside(*truth.outside, depth, q_c);
+
+  Random random(truth.soundings[sounding].noise_seed, sounding);
+  std::string text = "depth_m,q_c_MPa\n";
+  double noise = 0.0;
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const double kept = i == 0 ? 0.0 : std::exp(-(depth[i] - depth[i - 1]) / plan.request.correlation);
+    noise = kept * noise + std::sqrt(1.0 - kept * kept) * random.normal();
+    text +=
+        fmt::format("{:.4f},{:.6g}\n", depth[i], q_c[i] * std::exp(plan.request.measurement * noise) / 1e6);
+  }
+  return text;
+}
+
+std::string request_text(const Plan& plan, const parameters::Study& study, const Truth& truth) {
+  const Request& request = plan.request;
+  const auto quoted = [](const std::string& text) { return Json(text).dump(); };  // TOML's basic strings
+  std::string text = fmt::format("title = {}\nstudy = {}\nmechanisms = [", quoted(case_name(truth.id)),
+                                 quoted(study.file.lexically_relative(plan.cases_folder).generic_string()));
+  for (const solver::Mechanism* mechanism : request.mechanisms)
+    text += fmt::format("\"{}\", ", mechanism->name);
+  text += "]\n";
+  for (std::size_t s = 0; s < truth.soundings.size(); ++s) {
+    const SoundingRequest& sounding = request.soundings[s];
+    text += fmt::format(
+        "\n[[soundings]]\nname = {}\nrecording = \"{}\"\ncolumns = {{ depth_m = \"depth_m\", q_c_MPa = "
+        "\"q_c_MPa\" "
+        "}}\nfrom_m = {}\nto_m = {}\n",
+        quoted(sounding.name), recording_file(truth.id, s), sounding.from, sounding.to);
+    if (sounding.changes.empty()) continue;
+    text += "fixed = { ";
+    for (std::size_t c = 0; c < sounding.changes.size(); ++c) {
+      const Change& change = sounding.changes[c];
+      const std::string value = change.quantity->format(change.value);
+      text += fmt::format("{}\"{}\" = {}", c > 0 ? ", " : "", change.quantity->name,
+                          change.quantity->choices.empty() ? value : quoted(value));
+    }
+    text += " }\n";
+  }
+  text += fmt::format(
+      "\n[noise]\nmeasurement_percent = {}\ncorrelation_mm = {}\nsimulated = true\n\n[options]\ncell_mm = "
+      "{}\n"
+      "repeats = {}\njoint = {}\nconfirm = {}\n",
+      100.0 * request.measurement, 1e3 * request.correlation, 1e3 * request.cell_height, request.repeats,
+      request.joint, request.confirm);
+  return text;
+}
+
+Json to_json(const Truth& truth) {
+  Json json{{"case", truth.id},
+            {"soil", array(truth.soil)},
+            {"parts", Json::array()},
+            {"soundings", Json::array()}};
+  for (const Part& part : truth.parts)
+    json["parts"].push_back({{"mechanism", part.mechanism->name}, {"place", array(part.place)}});
+  if (truth.outside)
+    json["outside"] = {{"kind", truth.outside->kind},
+                       {"size", truth.outside->size},
+                       {"depth_m", truth.outside->depth},
+                       {"length_m", truth.outside->length}};
+  for (const Numerics& n : truth.soundings)
+    json["soundings"].push_back({{"point_shift", n.point_shift},
+                                 {"courant", n.courant},
+                                 {"near_height", n.near_height},
+                                 {"noise_seed", n.noise_seed}});
+  return json;
+}
+
+Truth truth_from_json(const Json& json) {
+  try {
+    Truth truth{json.at("case").get<int>(), {}, std::nullopt, vector(json.at("soil")), {}};
+    for (const Json& part : json.at("parts")) {
+      const solver::Mechanism* mechanism = solver::find_mechanism(part.at("mechanism").get<std::string>());
+      if (mechanism == nullptr) throw std::invalid_argument("a mechanism that is not in the catalogue");
+      truth.parts.push_back({mechanism, vector(part.at("place"))});
+    }
+    if (json.contains("outside")) {
+      const Json& o = json["outside"];
+      truth.outside = OutsideEffect{o.at("kind").get<std::string>(), o.at("size").get<double>(),
+                                    o.at("depth_m").get<double>(), o.at("length_m").get<double>()};
+    }
+    for (const Json& n : json.at("soundings"))
+      truth.soundings.push_back({n.at("point_shift").get<double>(), n.at("courant").get<double>(),
+                                 n.at("near_height").get<double>(), n.at("noise_seed").get<std::uint64_t>()});
+    return truth;
+  } catch (const Json::exception& problem) {
+    throw std::invalid_argument(std::string("not a concealed case: ") + problem.what());
+  }
+}
+
+std::string seal_of(const std::string& salt, const Truth& truth) {
+  return results::sha256(salt + "\n" + to_json(truth).dump());
+}
+
+}  // namespace cpt::validation::concealed
