@@ -31,8 +31,8 @@
 #include "campaign/run_campaign.hpp"
 #include "campaign/stop_signals.hpp"
 #include "campaign/worker.hpp"
-#include "results/curve_store.hpp"
-#include "results/snapshot.hpp"
+#include "results/ledger/curve_store.hpp"
+#include "results/ledger/snapshot.hpp"
 #include "solver/quantities.hpp"
 
 namespace {

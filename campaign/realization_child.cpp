@@ -18,7 +18,7 @@
 #include "campaign/descriptors.hpp"
 #include "campaign/messages.hpp"
 #include "campaign/stop_signals.hpp"
-#include "results/checkpoint.hpp"
+#include "results/push/checkpoint.hpp"
 
 namespace cpt::campaign {
 namespace {

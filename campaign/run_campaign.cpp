@@ -17,10 +17,10 @@
 #include "campaign/worker.hpp"
 #include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/run_order.hpp"
-#include "results/checkpoint.hpp"
-#include "results/curve_store.hpp"
-#include "results/ledger.hpp"
-#include "results/patience.hpp"
+#include "results/files/patience.hpp"
+#include "results/ledger/curve_store.hpp"
+#include "results/ledger/ledger.hpp"
+#include "results/push/checkpoint.hpp"
 
 namespace cpt::campaign {
 namespace {

@@ -42,8 +42,8 @@ struct Summary {
 /// its status and reason; the campaign goes on. A worker that falls silent is lost: its realizations start
 /// again elsewhere, and after two losses count as rank_lost. SIGINT, SIGTERM, SIGHUP and SIGUSR1 end the
 /// campaign with the database in order and the states of unfinished pushes beside it
-/// (results/checkpoint.hpp); the same call later goes on. Throws results::Locked if another campaign holds
-/// the database and results::Error if it cannot be used.
+/// (results/push/checkpoint.hpp); the same call later goes on. Throws results::Locked if another campaign
+/// holds the database and results::Error if it cannot be used.
 [[nodiscard]] Summary run_campaign(const parameters::Study& study, const std::string& study_text,
                                    Transport& transport, Executor& executor, const RunOptions& options,
                                    ProgressDisplay& display);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "results/file_system.hpp"
+#include "results/files/file_system.hpp"
 
 namespace cpt::campaign {
 

@@ -9,8 +9,8 @@
 
 #include "diagnosis/departure.hpp"
 #include "diagnosis/design.hpp"
-#include "results/database.hpp"
-#include "results/patience.hpp"
+#include "results/files/database.hpp"
+#include "results/files/patience.hpp"
 #include "solver/mechanisms/catalogue.hpp"
 
 namespace cpt::diagnosis {

@@ -7,7 +7,7 @@
 #include "diagnosis/design.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "recordings/recording.hpp"
-#include "results/snapshot.hpp"
+#include "results/ledger/snapshot.hpp"
 
 namespace cpt::diagnosis {
 

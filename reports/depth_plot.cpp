@@ -10,7 +10,7 @@
 #include "reports/notes.hpp"
 #include "reports/push_start_mark.hpp"
 #include "reports/units.hpp"
-#include "results/push_start.hpp"
+#include "results/push/push_start.hpp"
 
 namespace cpt::reports {
 namespace {

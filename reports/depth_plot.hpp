@@ -5,7 +5,7 @@
 
 #include "drawing/axis.hpp"
 #include "drawing/svg.hpp"
-#include "results/snapshot.hpp"
+#include "results/ledger/snapshot.hpp"
 
 namespace cpt::reports {
 

@@ -8,7 +8,7 @@
 #include "reports/figures.hpp"
 #include "reports/labels.hpp"
 #include "reports/picture_files.hpp"
-#include "results/atomic_file.hpp"
+#include "results/files/atomic_file.hpp"
 
 namespace cpt::reports {
 namespace {

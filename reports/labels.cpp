@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "drawing/palette.hpp"
-#include "results/interrupted.hpp"
+#include "results/ledger/interrupted.hpp"
 
 namespace cpt::reports {
 namespace {

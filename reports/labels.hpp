@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drawing/svg.hpp"
-#include "results/snapshot.hpp"
+#include "results/ledger/snapshot.hpp"
 
 namespace cpt::reports {
 

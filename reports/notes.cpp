@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "drawing/text.hpp"
-#include "results/push_start.hpp"
+#include "results/push/push_start.hpp"
 
 namespace cpt::reports {
 

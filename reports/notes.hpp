@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "results/snapshot.hpp"
+#include "results/ledger/snapshot.hpp"
 
 namespace cpt::reports {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "results/model_remarks.hpp"
+#include "results/ledger/model_remarks.hpp"
 
 namespace cpt::reports {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "results/effects.hpp"
-#include "results/snapshot.hpp"
-#include "results/table_format.hpp"
+#include "results/ledger/snapshot.hpp"
+#include "results/statistics/effects.hpp"
+#include "results/tables/table_format.hpp"
 
 namespace cpt::reports {
 

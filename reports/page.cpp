@@ -9,8 +9,8 @@
 #include "reports/labels.hpp"
 #include "reports/notes.hpp"
 #include "reports/numbers.hpp"
-#include "results/interrupted.hpp"
-#include "results/push_start.hpp"
+#include "results/ledger/interrupted.hpp"
+#include "results/push/push_start.hpp"
 
 namespace cpt::reports {
 namespace {

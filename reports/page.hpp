@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "diagnosis/answer_store.hpp"
-#include "results/effects.hpp"
-#include "results/snapshot.hpp"
+#include "results/ledger/snapshot.hpp"
+#include "results/statistics/effects.hpp"
 
 namespace cpt::reports {
 

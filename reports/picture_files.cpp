@@ -1,6 +1,6 @@
 #include "reports/picture_files.hpp"
 
-#include "results/atomic_file.hpp"
+#include "results/files/atomic_file.hpp"
 
 namespace cpt::reports {
 

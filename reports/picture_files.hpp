@@ -10,7 +10,7 @@
 #include "drawing/error.hpp"
 #include "drawing/pdf.hpp"
 #include "drawing/png.hpp"
-#include "results/error.hpp"
+#include "results/files/error.hpp"
 
 namespace cpt::reports {
 

@@ -10,9 +10,9 @@
 #include "drawing/palette.hpp"
 #include "reports/labels.hpp"
 #include "reports/notes.hpp"
-#include "results/audit_bounds.hpp"
-#include "results/effects.hpp"
-#include "results/model_remarks.hpp"
+#include "results/ledger/audit_bounds.hpp"
+#include "results/ledger/model_remarks.hpp"
+#include "results/statistics/effects.hpp"
 
 namespace cpt::reports {
 namespace {

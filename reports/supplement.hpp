@@ -5,7 +5,7 @@
 
 #include "drawing/pdf.hpp"
 #include "reports/figure_files.hpp"
-#include "results/snapshot.hpp"
+#include "results/ledger/snapshot.hpp"
 
 namespace cpt::reports {
 

@@ -17,7 +17,7 @@
 namespace cpt::solver {
 namespace {
 
-constexpr double touching = 1.0e-9;        // [m] interfaces closer than this are the same
+constexpr double touching = 1.0e-9;  // [m] interfaces closer than this are the same
 constexpr std::string_view sigma_h0 = "initial.sigma_h0_kPa";
 constexpr int max_zone_columns = 5000;     // [-]
 constexpr double max_zone_rows = 20000.0;  // [1/m]
@@ -129,7 +129,8 @@ bool Check::bears(double sigma_h, bool sound_layers) const {
   return true;
 }
 
-// "; initial.sigma_h0_kPa may be 13.2 to 211", sought on both sides of equal stresses and rounded inwards to tenths.
+// "; initial.sigma_h0_kPa may be 13.2 to 211", sought on both sides of equal stresses and rounded inwards to
+// tenths.
 std::string Check::range_of_sigma_h(bool sound_layers) const {
   const auto limit = [&](double beyond) {
     double borne = setup_.initial.sigma_v0;

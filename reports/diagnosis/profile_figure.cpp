@@ -6,7 +6,7 @@
 #include "reports/diagnosis/sounding_panels.hpp"
 #include "reports/labels.hpp"
 #include "reports/units.hpp"
-#include "results/push_start.hpp"
+#include "results/push/push_start.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {

@@ -9,8 +9,8 @@
 #include "drawing/svg.hpp"
 #include "reports/view/raster.hpp"
 #include "reports/view/view_quantity.hpp"
-#include "results/snapshot.hpp"
-#include "results/stored_push.hpp"
+#include "results/ledger/snapshot.hpp"
+#include "results/push/stored_push.hpp"
 
 namespace cpt::reports::view {
 

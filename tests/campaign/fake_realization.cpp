@@ -23,7 +23,7 @@
 #include "campaign/descriptors.hpp"
 #include "campaign/messages.hpp"
 #include "campaign/realization_child.hpp"
-#include "results/provenance.hpp"
+#include "results/ledger/provenance.hpp"
 #include "solver/quantities.hpp"
 #include "tests/solver/default_soils.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "parameters/designs/one_at_a_time.hpp"
-#include "request_fixture.hpp"
+#include "tests/diagnosis/request_fixture.hpp"
 #include "tests/solver/default_soils.hpp"
 
 namespace cpt::diagnosis {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "parameters/designs/one_at_a_time.hpp"
-#include "request_fixture.hpp"
+#include "tests/diagnosis/request_fixture.hpp"
 
 namespace cpt::diagnosis {
 namespace {

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "request_fixture.hpp"
+#include "tests/diagnosis/request_fixture.hpp"
 
 namespace cpt::diagnosis {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "request_fixture.hpp"
+#include "tests/diagnosis/request_fixture.hpp"
 
 namespace cpt::diagnosis {
 namespace {

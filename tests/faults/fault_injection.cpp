@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "results/provenance.hpp"
+#include "results/ledger/provenance.hpp"
 #include "tests/faults/faults.hpp"
 
 namespace {

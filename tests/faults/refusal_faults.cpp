@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "results/database.hpp"
+#include "results/files/database.hpp"
 #include "tests/faults/trial.hpp"
 
 namespace cpt::tests {

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <sstream>
 
-#include "results/provenance.hpp"
-#include "results/snapshot.hpp"
+#include "results/ledger/provenance.hpp"
+#include "results/ledger/snapshot.hpp"
 
 namespace cpt::tests {
 namespace {

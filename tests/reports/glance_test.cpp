@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "results/interrupted.hpp"
+#include "results/ledger/interrupted.hpp"
 #include "tests/reports/page_fixture.hpp"
 
 namespace cpt::reports {

@@ -5,7 +5,7 @@
 
 #include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/read_study.hpp"
-#include "results/ledger.hpp"
+#include "results/ledger/ledger.hpp"
 #include "solver/quantities.hpp"
 #include "tests/solver/default_soils.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "parameters/study.hpp"
-#include "results/snapshot.hpp"
+#include "results/ledger/snapshot.hpp"
 
 namespace cpt::reports {
 

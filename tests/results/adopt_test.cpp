@@ -1,5 +1,5 @@
 // A ledger takes over what another campaign has finished with equal settings.
-#include "campaign_fixture.hpp"
+#include "tests/results/campaign_fixture.hpp"
 
 namespace cpt::results {
 namespace {

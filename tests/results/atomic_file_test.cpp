@@ -1,5 +1,5 @@
 // Files are there whole or as they were, whoever else writes them and whatever they are.
-#include "results/atomic_file.hpp"
+#include "results/files/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -7,8 +7,8 @@
 
 #include <future>
 
-#include "results/table_format.hpp"
-#include "results/vtk_file.hpp"
+#include "results/files/vtk_file.hpp"
+#include "results/tables/table_format.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
 namespace cpt::results {

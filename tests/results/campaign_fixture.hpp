@@ -16,8 +16,8 @@
 #include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/realization.hpp"
 #include "parameters/study.hpp"
-#include "results/ledger.hpp"
-#include "results/snapshot.hpp"
+#include "results/ledger/ledger.hpp"
+#include "results/ledger/snapshot.hpp"
 #include "solver/quantities.hpp"
 
 namespace cpt::results {

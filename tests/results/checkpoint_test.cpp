@@ -1,5 +1,5 @@
 // Checkpoints on disk: whole and of the same settings, or refused with the reason.
-#include "results/checkpoint.hpp"
+#include "results/push/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "results/hdf5_file.hpp"
-#include "results/provenance.hpp"
+#include "results/files/hdf5_file.hpp"
+#include "results/ledger/provenance.hpp"
 #include "solver/presets.hpp"
 #include "tests/results/campaign_fixture.hpp"
 #include "tests/solver/default_soils.hpp"

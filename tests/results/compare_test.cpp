@@ -1,4 +1,4 @@
-#include "results/compare.hpp"
+#include "results/tables/compare.hpp"
 
 #include "tests/results/campaign_fixture.hpp"
 

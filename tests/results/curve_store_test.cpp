@@ -1,4 +1,4 @@
-#include "results/curve_store.hpp"
+#include "results/ledger/curve_store.hpp"
 
 #include "tests/results/campaign_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "results/discretization_error.hpp"
+#include "results/statistics/discretization_error.hpp"
 
 #include <gtest/gtest.h>
 

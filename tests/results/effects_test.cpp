@@ -1,5 +1,5 @@
 // From a study with a [design] over its ledger to the table of its estimator.
-#include "results/effects.hpp"
+#include "results/statistics/effects.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "parameters/designs/design.hpp"
 #include "parameters/read_study.hpp"
-#include "results/query.hpp"
+#include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 #include "tests/solver/default_soils.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "results/field_series.hpp"
+#include "results/push/field_series.hpp"
 #include "tests/results/campaign_fixture.hpp"
 #include "tests/results/push_recording.hpp"
 

@@ -1,8 +1,8 @@
 // Histories: which points are chosen, what a row says, and the HDF5 file read back.
-#include "results/histories.hpp"
+#include "results/push/histories.hpp"
 
-#include "results/history_recorder.hpp"
-#include "results/point_quantities.hpp"
+#include "results/push/history_recorder.hpp"
+#include "results/push/point_quantities.hpp"
 #include "tests/results/campaign_fixture.hpp"
 #include "tests/results/push_recording.hpp"
 

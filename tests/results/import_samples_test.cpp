@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "parameters/read_study.hpp"
-#include "results/effects.hpp"
-#include "results/import_results.hpp"
-#include "results/samples.hpp"
+#include "results/statistics/effects.hpp"
+#include "results/tables/import_results.hpp"
+#include "results/tables/samples.hpp"
 #include "tests/results/campaign_fixture.hpp"
 #include "tests/solver/default_soils.hpp"
 

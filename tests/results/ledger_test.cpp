@@ -1,10 +1,10 @@
-#include "results/ledger.hpp"
+#include "results/ledger/ledger.hpp"
 
 #include <algorithm>
 #include <random>
 
-#include "results/provenance.hpp"
-#include "results/query.hpp"
+#include "results/ledger/provenance.hpp"
+#include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
 namespace cpt::results {

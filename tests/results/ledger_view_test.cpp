@@ -1,7 +1,7 @@
 // What readers see of a study whose file has been edited since its campaign last ran.
-#include "results/ledger_view.hpp"
+#include "results/ledger/ledger_view.hpp"
 
-#include "results/query.hpp"
+#include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
 namespace cpt::results {

@@ -1,11 +1,11 @@
 // A database that another program keeps locked: waited for, or left with its name.
-#include "results/patience.hpp"
+#include "results/files/patience.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "results/database.hpp"
-#include "results/query.hpp"
+#include "results/files/database.hpp"
+#include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
 namespace cpt::results {

@@ -1,4 +1,4 @@
-#include "results/provenance.hpp"
+#include "results/ledger/provenance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Removing unused results: those that are named, and nothing else.
-#include "results/pruning.hpp"
+#include "results/ledger/pruning.hpp"
 
-#include "results/query.hpp"
+#include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
 namespace cpt::results {

@@ -1,5 +1,5 @@
 // A real push of two millimetres, recorded.
-#include "results/push_recorder.hpp"
+#include "results/push/push_recorder.hpp"
 
 #include "tests/results/campaign_fixture.hpp"
 #include "tests/results/push_recording.hpp"

@@ -1,4 +1,4 @@
-#include "results/query.hpp"
+#include "results/tables/query.hpp"
 
 #include "tests/results/campaign_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "results/radial_profile.hpp"
+#include "results/push/radial_profile.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "results/repeat_noise.hpp"
+#include "results/statistics/repeat_noise.hpp"
 
 #include <gtest/gtest.h>
 

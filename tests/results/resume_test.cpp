@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <csignal>
 
-#include "results/curve_store.hpp"
-#include "results/database.hpp"
-#include "results/interrupted.hpp"
-#include "results/ledger_watch.hpp"
-#include "results/provenance.hpp"
-#include "results/query.hpp"
+#include "results/files/database.hpp"
+#include "results/ledger/curve_store.hpp"
+#include "results/ledger/interrupted.hpp"
+#include "results/ledger/ledger_watch.hpp"
+#include "results/ledger/provenance.hpp"
+#include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 #include "tests/solver/default_soils.hpp"
 

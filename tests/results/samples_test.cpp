@@ -1,5 +1,5 @@
 // A campaign as one flat table, and in Dakota's format.
-#include "results/samples.hpp"
+#include "results/tables/samples.hpp"
 
 #include <charconv>
 #include <sstream>

@@ -1,14 +1,14 @@
 // Equation 3 of Yost et al. (2023), by hand, and the ledger's view against it.
-#include "results/sensitivity.hpp"
+#include "results/statistics/sensitivity.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "results/audit_bounds.hpp"
-#include "results/database.hpp"
-#include "results/query.hpp"
-#include "results/repeat_noise.hpp"
+#include "results/files/database.hpp"
+#include "results/ledger/audit_bounds.hpp"
+#include "results/statistics/repeat_noise.hpp"
+#include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
 namespace cpt::results {

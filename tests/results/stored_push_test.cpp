@@ -1,7 +1,7 @@
 // A push found again from its folder or its series, and what is said where that cannot be.
-#include "results/stored_push.hpp"
+#include "results/push/stored_push.hpp"
 
-#include "results/provenance.hpp"
+#include "results/ledger/provenance.hpp"
 #include "solver/quantities.hpp"
 #include "tests/results/campaign_fixture.hpp"
 #include "tests/results/push_recording.hpp"

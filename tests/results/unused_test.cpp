@@ -2,10 +2,10 @@
 // settings again.
 #include <fmt/format.h>
 
-#include "results/curve_store.hpp"
-#include "results/database.hpp"
-#include "results/matching.hpp"
-#include "results/query.hpp"
+#include "results/files/database.hpp"
+#include "results/ledger/curve_store.hpp"
+#include "results/ledger/matching.hpp"
+#include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
 namespace cpt::results {

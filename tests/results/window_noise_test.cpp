@@ -1,4 +1,4 @@
-#include "results/window_noise.hpp"
+#include "results/statistics/window_noise.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "results/windows.hpp"
+#include "results/statistics/windows.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <vector>
 
-#include "results/push_start.hpp"
+#include "results/push/push_start.hpp"
 
 namespace cpt::results {
 namespace {

@@ -6,9 +6,9 @@
 #include <random>
 
 #include "parameters/designs/one_at_a_time.hpp"
-#include "results/atomic_file.hpp"
-#include "results/file_bytes.hpp"
-#include "results/provenance.hpp"
+#include "results/files/atomic_file.hpp"
+#include "results/files/file_bytes.hpp"
+#include "results/ledger/provenance.hpp"
 
 namespace cpt::validation::concealed {
 namespace {

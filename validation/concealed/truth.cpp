@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "results/provenance.hpp"
+#include "results/ledger/provenance.hpp"
 
 namespace cpt::validation::concealed {
 namespace {

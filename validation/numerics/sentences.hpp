@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "results/discretization_error.hpp"
+#include "results/statistics/discretization_error.hpp"
 #include "validation/numerics/study.hpp"
 
 namespace cpt::validation::numerics {

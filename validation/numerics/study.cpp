@@ -9,7 +9,7 @@
 #include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/designs/variation.hpp"
 #include "parameters/read_study.hpp"
-#include "results/sensitivity.hpp"
+#include "results/statistics/sensitivity.hpp"
 
 namespace cpt::validation::numerics {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "results/repeat_noise.hpp"
-#include "results/snapshot.hpp"
+#include "results/ledger/snapshot.hpp"
+#include "results/statistics/repeat_noise.hpp"
 #include "solver/quantities.hpp"
 
 namespace cpt::validation::numerics {

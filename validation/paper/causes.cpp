@@ -7,8 +7,8 @@
 
 #include "drawing/text.hpp"
 #include "parameters/document.hpp"
-#include "results/file_bytes.hpp"
-#include "results/refusal.hpp"
+#include "results/files/file_bytes.hpp"
+#include "results/files/refusal.hpp"
 #include "validation/paper/compare.hpp"
 
 namespace cpt::validation::paper {

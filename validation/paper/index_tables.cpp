@@ -10,7 +10,7 @@
 #include "drawing/text.hpp"
 #include "reports/labels.hpp"
 #include "reports/units.hpp"
-#include "results/window_noise.hpp"
+#include "results/statistics/window_noise.hpp"
 #include "validation/paper/ranking.hpp"
 
 namespace cpt::validation::paper {

@@ -14,9 +14,10 @@ struct IndexInterval {
   bool from_repeats;  ///< else by batch means along the curves
 };
 
-/// From the repeats of the baseline where there are some, as everywhere else (results/repeat_noise.hpp). Else
-/// from the noise of the two runs' own curves (results/window_noise.hpp), which a layered soil has not: no
-/// stretch of its curve has a trend that noise could be told from. nullopt where neither gives it.
+/// From the repeats of the baseline where there are some, as everywhere else
+/// (results/statistics/repeat_noise.hpp). Else from the noise of the two runs' own curves
+/// (results/statistics/window_noise.hpp), which a layered soil has not: no stretch of its curve has a trend
+/// that noise could be told from. nullopt where neither gives it.
 [[nodiscard]] std::optional<IndexInterval> index_interval(const results::Snapshot& campaign,
                                                           std::string_view window,
                                                           std::string_view parameter);

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "results/radial_profile.hpp"
+#include "results/push/radial_profile.hpp"
 #include "validation/paper/pushes.hpp"
 #include "validation/paper/studies.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "results/histories.hpp"
+#include "results/push/histories.hpp"
 #include "validation/paper/studies.hpp"
 
 namespace cpt::validation::paper {

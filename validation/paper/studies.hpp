@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "results/snapshot.hpp"
+#include "results/ledger/snapshot.hpp"
 
 namespace cpt::validation::paper {
 

@@ -2,9 +2,9 @@
 
 #include <fstream>
 
-#include "results/checkpoint.hpp"
-#include "results/curve_store.hpp"
-#include "results/histories.hpp"
+#include "results/ledger/curve_store.hpp"
+#include "results/push/checkpoint.hpp"
+#include "results/push/histories.hpp"
 #include "solver/presets.hpp"
 #include "tests/fuzz/targets/use_ledger.hpp"
 

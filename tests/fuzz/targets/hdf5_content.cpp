@@ -9,7 +9,7 @@
 #include <array>
 #include <sstream>
 
-#include "results/provenance.hpp"
+#include "results/ledger/provenance.hpp"
 #include "tests/fuzz/targets/hdf5.hpp"
 
 namespace cpt::fuzz {

@@ -2,7 +2,7 @@
 // one.
 #include <fstream>
 
-#include "results/database.hpp"
+#include "results/files/database.hpp"
 #include "tests/fuzz/targets/use_ledger.hpp"
 
 namespace cpt::fuzz {

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "mechanism_fixture.hpp"
+#include "tests/solver/mechanisms/mechanism_fixture.hpp"
 
 namespace cpt::solver {
 namespace {

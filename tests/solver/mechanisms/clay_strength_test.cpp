@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "mechanism_fixture.hpp"
 #include "solver/constitutive/varying_tresca.hpp"
 #include "tests/solver/default_soils.hpp"
+#include "tests/solver/mechanisms/mechanism_fixture.hpp"
 
 namespace cpt::solver {
 namespace {

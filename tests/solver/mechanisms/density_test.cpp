@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "mechanism_fixture.hpp"
 #include "tests/solver/default_soils.hpp"
+#include "tests/solver/mechanisms/mechanism_fixture.hpp"
 
 namespace cpt::solver {
 namespace {

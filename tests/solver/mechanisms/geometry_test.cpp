@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 
-#include "mechanism_fixture.hpp"
 #include "solver/actual_setup.hpp"
 #include "solver/mechanisms/catalogue.hpp"
 #include "solver/mechanisms/reading.hpp"
+#include "tests/solver/mechanisms/mechanism_fixture.hpp"
 
 namespace cpt::solver {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism_fixture.hpp"
 #include "solver/first_push.hpp"
 #include "solver/mesh.hpp"
 #include "solver/quantities.hpp"
+#include "tests/solver/mechanisms/mechanism_fixture.hpp"
 
 namespace cpt::solver {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "mechanism_fixture.hpp"
 #include "solver/actual_setup.hpp"
 #include "solver/quantities.hpp"
 #include "tests/solver/default_soils.hpp"
+#include "tests/solver/mechanisms/mechanism_fixture.hpp"
 
 namespace cpt::solver {
 namespace {

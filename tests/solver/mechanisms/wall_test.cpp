@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanism_fixture.hpp"
 #include "solver/chamber.hpp"
 #include "solver/soils/elastic.hpp"
 #include "tests/solver/default_soils.hpp"
+#include "tests/solver/mechanisms/mechanism_fixture.hpp"
 
 namespace cpt::solver {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/read_study.hpp"
-#include "results/ledger.hpp"
+#include "results/ledger/ledger.hpp"
 #include "validation/numerics/page.hpp"
 #include "validation/numerics/sentences.hpp"
 #include "validation/numerics/settings_figure.hpp"

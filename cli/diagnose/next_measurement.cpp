@@ -1,0 +1,51 @@
+#include "cli/diagnose/next_measurement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace cpt::cli {
+
+using namespace diagnosis;
+
+namespace {
+
+bool same_mechanisms(const Assembled& a, const Assembled& b) {
+  return std::ranges::equal(a.mechanisms, b.mechanisms, {}, &MechanismDesign::mechanism,
+                            &MechanismDesign::mechanism);
+}
+
+}  // namespace
+
+std::vector<NextMeasurement> next_measurements_of(StudyRunner& runner, const RequestFile& asked,
+                                                  const std::vector<SoundingData>& soundings,
+                                                  const Assembled& assembled, const Diagnosis& diagnosis,
+                                                  std::vector<std::string>& remarks) {
+  if (mechanisms_in_set(diagnosis).size() < 2) return {};
+  std::vector<Observation> candidates;
+  const auto add = [&](const std::string& name, const std::vector<SoundingData>& pushes, Measured measured) {
+    try {
+      const Assembled made = assemble_unmeasured(asked.request, pushes, measured, diagnosis.measurement);
+      if (same_mechanisms(made, assembled))
+        candidates.push_back(observation_of(name, made.problem));
+      else
+        remarks.push_back(name + " is not ranked as next measurement: some of its runs failed");
+    } catch (const std::invalid_argument& problem) {
+      remarks.push_back(fmt::format("{} is not ranked as next measurement: {}", name, problem.what()));
+    }
+  };
+  add("sleeve friction of the same push", soundings, Measured::f_s);
+  for (const SoundingRequest& candidate : asked.request.candidates) {
+    SoundingData data{candidate,
+                      sounding_study(asked.study, candidate, asked.request.mechanisms, asked.request.repeats,
+                                     asked.request.joint),
+                      {},
+                      {}};
+    data.campaign = runner.run(data.study.study, asked.study.database);
+    add(candidate.name, {data}, Measured::q_c);
+  }
+  return rank_next_measurements(observation_of("recorded", assembled.problem), diagnosis, candidates);
+}
+
+}  // namespace cpt::cli

@@ -1,0 +1,133 @@
+// A campaign's database as plain data, read in one consistent read-only transaction.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results/files/error.hpp"
+#include "solver/simulate.hpp"
+
+namespace cpt::results {
+
+class Database;
+
+/// Row of `campaign`.
+struct CampaignRow {
+  std::string name, title, profile, preset;
+  std::string study_text;      ///< the study file as written
+  std::string baseline_setup;  ///< every input of the baseline, one "name = value" line each
+  std::string program_version, solver_version;
+  std::string created;     ///< UTC, ISO 8601
+  std::string curve_file;  ///< file name of the HDF5 mirror
+};
+
+/// Row of `layer`.
+struct LayerRow {
+  double top_m, bottom_m;
+  std::string soil;  ///< "sand" or "clay"
+};
+
+/// Row of `parameter`; numbers in the study's unit, an index for a choice, whose names are the texts.
+struct ParameterRow {
+  std::string name, symbol, unit, meaning;
+  double baseline, lower, upper;
+  std::string baseline_text, lower_text, upper_text;
+};
+
+/// Row of `realization`. Numbers that are not known yet are NaN or 0.
+struct RealizationRow {
+  int id = 0;
+  std::string parameter;  ///< empty for the baseline
+  std::string side;       ///< "baseline", "lower", "upper", "point" or "repeat"
+  double value;           ///< study unit; NaN for the baseline
+  std::string value_text;
+  std::string status;  ///< "pending", "running" or a solver::Status name
+  std::string reason;
+  double wall_s;
+  std::int64_t steps = 0, material_points = 0;
+  std::string settings_hash, solver_version, started, finished;
+  solver::Audit audit;
+  std::string out_of_line;  ///< of a snapshot: what its audit has out of line (view `audit`); else empty
+  [[nodiscard]] bool waiting() const { return status == "pending" || status == "running"; }
+  [[nodiscard]] bool completed() const { return status == "completed"; }
+  [[nodiscard]] bool failed() const { return !waiting() && !completed(); }
+};
+
+/// Row of `depth_window`; from and to are NaN until they can be resolved.
+struct WindowRow {
+  std::string name, kind;
+  double from_m, to_m;
+  std::string problem;  ///< why the window is not resolved; empty if it is
+};
+
+/// Row of `window_mean`. Of an imported average the least and the largest q_c may be NaN.
+struct WindowMeanRow {
+  int realization = 0;
+  std::string window;
+  double from_m, to_m, q_c_mean_kPa, q_c_min_kPa, q_c_max_kPa;
+};
+
+/// Row of `repeat_noise`: the baseline and its repeats.
+struct RepeatNoiseRow {
+  std::string window;
+  int runs = 0;
+  double q_c_mean_kPa, q_c_deviation_kPa;
+  double si_half_width;  ///< [-] of the 95 % interval of an SI whose two averages are alike
+};
+
+/// Row of the view `sensitivity`. NaN where undefined; the note says why.
+struct SensitivityRow {
+  std::string window, parameter;
+  double q_lower_kPa, q_upper_kPa, q_baseline_kPa;
+  double si, si_abs, si_noise;
+  std::optional<bool> above_noise;  ///< of the repeats; without them above SI_noise
+  double si_half_width;             ///< of the 95 % interval that the repeats give; NaN without repeats
+  std::optional<bool> above_repeats;
+  std::optional<bool> above_si_noise;  ///< the paper's definition
+  int pairs =
+      0;  ///< of runs at both bounds whose indices give the interval; 0: that of the baseline's repeats
+  std::string note;
+};
+
+/// Curve of one realization, as far as it came.
+struct CurveRow {
+  int realization = 0;
+  solver::DepthProfile profile;
+};
+
+/// Row of `import`: a file that results were imported from.
+struct ImportRow {
+  std::string file, sha256;
+  std::string imported;  ///< when; UTC, ISO 8601
+};
+
+struct Snapshot {
+  CampaignRow campaign;
+  std::vector<LayerRow> layers;
+  std::vector<ParameterRow> parameters;      ///< in the study's order
+  std::vector<RealizationRow> realizations;  ///< by id
+  std::vector<WindowRow> windows;            ///< in the study's order
+  std::vector<WindowMeanRow> window_means;
+  std::vector<RepeatNoiseRow> repeat_noise;
+  std::vector<SensitivityRow> sensitivity;  ///< by window, then parameter, in the study's order
+  std::vector<CurveRow> curves;             ///< by realization
+  std::vector<ImportRow> imports;           ///< empty where the results are this program's own runs
+};
+
+/// Reads everything; throws Error if the file is missing or not a ledger of this schema.
+[[nodiscard]] Snapshot read_snapshot(const std::filesystem::path& database);
+/// The same within a transaction of the caller.
+[[nodiscard]] Snapshot read_snapshot(const Database& database);
+
+/// One realization's row and curve; nullopt if there is no such id. Throws as read_snapshot.
+struct StoredRun {
+  RealizationRow row;
+  std::optional<solver::DepthProfile> profile;
+};
+[[nodiscard]] std::optional<StoredRun> read_run(const std::filesystem::path& database, int id);
+[[nodiscard]] std::optional<StoredRun> read_run(const Database& database, int id);
+
+}  // namespace cpt::results

@@ -1,0 +1,40 @@
+// What the design of a study says: the numbers of its estimator for every window, from the stored runs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "results/ledger/snapshot.hpp"
+#include "results/tables/table_format.hpp"
+
+namespace cpt::results {
+
+/// One number of the design's estimator, with its 95 % interval. NaN where undefined; the note says why.
+struct EffectRow {
+  std::string window, parameter;
+  std::string other_parameter;  ///< of a pair
+  std::string quantity;         ///< interaction; mu_star, mu, sigma; first_order, total_order, Q2
+  std::string unit;             ///< "kPa", or "-" for a share of the variance
+  double value, lower, upper;
+  int used = 0;     ///< elementary effects (morris), rows (sobol), else runs
+  int dropped = 0;  ///< of the same, because a run has no result
+  std::string note;
+};
+
+struct Effects {
+  std::string design = "one_at_a_time";  ///< its kind
+  std::vector<EffectRow> rows;           ///< by window, quantity, then parameter in the design's order
+  std::string problem;                   ///< why the stored study cannot be read; empty if it can
+};
+
+/// "3 of 4 repeats so far"; empty once none is to come.
+[[nodiscard]] std::string repeats_so_far(const Snapshot& campaign);
+
+/// The design is that of the study's text in the ledger. No rows for a study without [design], whose indices
+/// are Snapshot::sensitivity, and for a ledger that holds none of the design's runs. Runs that failed or have
+/// not been made are left out as each estimator says (parameters/designs/), and counted.
+[[nodiscard]] Effects design_effects(const Snapshot& campaign);
+
+[[nodiscard]] Table effects_table(const Effects& effects);
+
+}  // namespace cpt::results

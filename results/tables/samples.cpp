@@ -1,0 +1,142 @@
+#include "results/tables/samples.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "results/ledger/setup_text.hpp"
+#include "solver/quantities.hpp"
+
+namespace cpt::results {
+namespace {
+
+using Texts = std::map<std::string, std::string>;  // values by the names of inputs
+
+/// "sand.H = 75, sand.N = 0.2"
+std::vector<std::pair<std::string, std::string>> changes_of(const std::string& value_text) {
+  std::vector<std::pair<std::string, std::string>> changes;
+  for (std::size_t from = 0; from < value_text.size();) {
+    const std::size_t to = std::min(value_text.find(", ", from), value_text.size());
+    const std::string change = value_text.substr(from, to - from);
+    if (const auto equals = change.find(" = "); equals != change.npos)
+      changes.emplace_back(change.substr(0, equals), change.substr(equals + 3));
+    from = to + 2;
+  }
+  return changes;
+}
+
+bool is_point(const RealizationRow& run) { return run.side == "point" || run.side == "repeat"; }
+
+std::vector<std::string> inputs_of(const Snapshot& s) {
+  std::vector<std::string> inputs;
+  for (const ParameterRow& parameter : s.parameters) inputs.push_back(parameter.name);
+  for (const RealizationRow& run : s.realizations)
+    if (is_point(run))
+      for (const auto& [name, value] : changes_of(run.value_text))
+        if (std::find(inputs.begin(), inputs.end(), name) == inputs.end()) inputs.push_back(name);
+  return inputs;
+}
+
+Texts baseline_of(const Snapshot& s) {
+  static const solver::Setup defaults;
+  Texts baseline;
+  for (const solver::Quantity& quantity : solver::all_quantities())  // those that a setup's text leaves out
+    if (quantity.silent_default)
+      baseline[std::string(quantity.name)] = quantity.format(quantity.value(defaults));
+  for (auto& [name, value] : setup_by_name(s.campaign.baseline_setup))
+    baseline[name] = value.substr(0, value.find(" (SI "));
+  for (const ParameterRow& parameter : s.parameters) baseline[parameter.name] = parameter.baseline_text;
+  return baseline;
+}
+
+Texts inputs_of(const RealizationRow& run, Texts baseline) {
+  if (is_point(run))
+    for (const auto& [name, value] : changes_of(run.value_text)) baseline[name] = value;
+  else if (!run.parameter.empty())
+    baseline[run.parameter] = run.value_text;
+  return baseline;
+}
+
+Cell cell_of(const std::string& text) {
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (text.empty()) return std::monostate{};
+  if (error == std::errc{} && end == text.data() + text.size()) return number;
+  return text;
+}
+
+std::string name_of(const RealizationRow& run) {
+  if (is_point(run)) return run.parameter;
+  return run.parameter.empty() ? run.side : run.parameter + " " + run.side;
+}
+
+/// Text that Dakota reads as one word.
+std::string word_of(const Cell& cell) {
+  if (const auto* value = std::get_if<double>(&cell)) return fmt::format("{}", *value);
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *whole);
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  return "NaN";
+}
+
+}  // namespace
+
+Table samples_table(const Snapshot& s) {
+  Table table{{"realization", "name", "status", "reason"}, {}};
+  const std::vector<std::string> inputs = inputs_of(s);
+  table.columns.insert(table.columns.end(), inputs.begin(), inputs.end());
+  for (const WindowRow& window : s.windows)
+    for (const char* what : {"mean", "min", "max"})
+      table.columns.push_back(fmt::format("{}.q_c_{}_kPa", window.name, what));
+  std::map<std::pair<int, std::string>, const WindowMeanRow*> means;
+  for (const WindowMeanRow& mean : s.window_means) means[{mean.realization, mean.window}] = &mean;
+
+  const Texts baseline = baseline_of(s);
+  for (const RealizationRow& run : s.realizations) {
+    std::vector<Cell>& row = table.rows.emplace_back();
+    row.reserve(table.columns.size());
+    row.emplace_back(std::int64_t{run.id});
+    for (const std::string& text : {name_of(run), run.status, run.reason}) row.emplace_back(text);
+    Texts values = inputs_of(run, baseline);
+    for (const std::string& input : inputs) row.push_back(cell_of(values[input]));
+    for (const WindowRow& window : s.windows) {
+      const auto found = means.find({run.id, window.name});
+      for (const auto member :
+           {&WindowMeanRow::q_c_mean_kPa, &WindowMeanRow::q_c_min_kPa, &WindowMeanRow::q_c_max_kPa})
+        row.push_back(found == means.end() ? Cell(std::monostate{}) : number_cell(found->second->*member));
+    }
+  }
+  return table;
+}
+
+std::string dakota_table(const Snapshot& s) {
+  const Table samples = samples_table(s);
+  constexpr std::size_t id = 0, first_input = 4;
+  const std::size_t first_response = samples.columns.size() - 3 * s.windows.size();
+  std::vector<std::size_t> taken;  // columns of the samples
+  for (std::size_t i = first_input; i < samples.columns.size(); ++i)
+    if (i < first_response || (i - first_response) % 3 == 0) taken.push_back(i);
+
+  std::vector<std::vector<std::string>> lines = {{"%eval_id", "interface"}};
+  for (const std::size_t i : taken) lines.front().push_back(samples.columns[i]);
+  for (std::size_t k = 0; k < samples.rows.size(); ++k) {
+    if (s.realizations[k].waiting()) continue;
+    std::vector<std::string>& line = lines.emplace_back();
+    line = {word_of(samples.rows[k][id]), "NO_ID"};
+    for (const std::size_t i : taken) line.push_back(word_of(samples.rows[k][i]));
+  }
+  std::vector<std::size_t> widths(lines.front().size(), 0);
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  std::string text;
+  for (const auto& line : lines) {
+    text += fmt::format("{:<{}}", line[0], widths[0]);
+    for (std::size_t i = 1; i < line.size(); ++i) text += fmt::format(" {:>{}}", line[i], widths[i]);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace cpt::results
