@@ -11,6 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "tests/architecture/sources.hpp"
+
+namespace cpt {
 namespace {
 
 namespace fs = std::filesystem;
@@ -107,11 +110,8 @@ Source read(const fs::path& file) {
 
 std::map<std::string, Source> all_sources() {
   std::map<std::string, Source> sources;
-  for (const char* layer : {"drawing", "solver", "recordings", "parameters", "results", "campaign",
-                            "diagnosis", "reports", "validation", "cli"})
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(PROJECT_ROOT) / layer))
-      if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp")
-        sources[fs::relative(entry.path(), PROJECT_ROOT).string()] = read(entry.path());
+  for (const fs::path& file : tests::source_files())
+    sources[file.string()] = read(fs::path(PROJECT_ROOT) / file);
   return sources;
 }
 
@@ -162,3 +162,4 @@ TEST(OwnIncludes, CommentsAndTextsAreNoUse) {
 }
 
 }  // namespace
+}  // namespace cpt
