@@ -1,4 +1,4 @@
-// Pushes of the cone as tables in Markdown, those of docs/performance.md:
+// Pushes of the cone as tables in Markdown, those of docs/benchmarks.md:
 //
 //   push/PROFILE/PRESET/THREADS      the first centimetres for each profile at three sizes
 //   scaling/PROFILE/PRESET/FINER     the first steps on meshes refined FINER times: cost against points
