@@ -30,23 +30,23 @@ double WallDisplacement::at(double z) const {
 }
 
 Mechanism compliant_wall_mechanism() {
-  return {"compliant_wall",
-          "a chamber wall that gives way",
-          "sigma_r = sigma'_h0 + max(0, u - gap) / compliance at the wall",
-          "Yost et al. (2023), section 3.1",
-          "q_c is lower throughout, the more the deeper, towards that of the constant-stress wall.",
-          any_soil,
-          false,
-          {{number<&Setup::mechanisms, &Mechanisms::compliant_wall, &CompliantWall::compliance>(
-                "compliant_wall.compliance_mm_per_MPa", "c_wall", millimetres_per_megapascal, 0.0, 1.0e4,
-                any_soil, "outward displacement of the wall over its stress",
-                "stiffness between a steel cylinder and a membrane"),
-            0.0, 60.0},
-           {number<&Setup::mechanisms, &Mechanisms::compliant_wall, &CompliantWall::gap>(
-                "compliant_wall.gap_mm", "g_wall", millimetres, 0.0, 10.0, any_soil,
-                "displacement of the wall at the initial stress before it resists",
-                "Yost et al. (2023), section 3.1"),
-            0.0, 0.3}}};
+  return {
+      .name = "compliant_wall",
+      .title = "a chamber wall that gives way",
+      .equation = "sigma_r = sigma'_h0 + max(0, u - gap) / compliance at the wall",
+      .source = "Yost et al. (2023), section 3.1",
+      .signature = "q_c is lower throughout, the more the deeper, towards that of the constant-stress wall.",
+      .acts_on = any_soil,
+      .parameters = {{number<&Setup::mechanisms, &Mechanisms::compliant_wall, &CompliantWall::compliance>(
+                          "compliant_wall.compliance_mm_per_MPa", "c_wall", millimetres_per_megapascal, 0.0,
+                          1.0e4, any_soil, "outward displacement of the wall over its stress",
+                          "stiffness between a steel cylinder and a membrane"),
+                      0.0, 60.0},
+                     {number<&Setup::mechanisms, &Mechanisms::compliant_wall, &CompliantWall::gap>(
+                          "compliant_wall.gap_mm", "g_wall", millimetres, 0.0, 10.0, any_soil,
+                          "displacement of the wall at the initial stress before it resists",
+                          "Yost et al. (2023), section 3.1"),
+                      0.0, 0.3}}};
 }
 
 }  // namespace cpt::solver

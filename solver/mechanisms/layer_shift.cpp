@@ -14,17 +14,18 @@ void LayerShift::apply(std::vector<Layer>& layers) const {
 }
 
 Mechanism layer_shift_mechanism() {
-  return {"layer_shift",
-          "layer interfaces that lie elsewhere",
-          "interfaces move down by shift",
-          "Yost et al. (2023), section 3.3",
-          "peaks and troughs move with the layers; their height stays.",
-          any_soil,
-          true,
-          {{number<&Setup::mechanisms, &Mechanisms::layer_shift, &LayerShift::shift>(
-                "layer_shift.shift_mm", "Δz_layers", millimetres, -100.0, 100.0, any_soil,
-                "how far all interfaces lie below their planned depth", "Yost et al. (2023), section 3.3"),
-            -15.0, 15.0}}};
+  return {.name = "layer_shift",
+          .title = "layer interfaces that lie elsewhere",
+          .equation = "interfaces move down by shift",
+          .source = "Yost et al. (2023), section 3.3",
+          .signature = "peaks and troughs move with the layers; their height stays.",
+          .acts_on = any_soil,
+          .needs_interfaces = true,
+          .parameters = {
+              {number<&Setup::mechanisms, &Mechanisms::layer_shift, &LayerShift::shift>(
+                   "layer_shift.shift_mm", "Δz_layers", millimetres, -100.0, 100.0, any_soil,
+                   "how far all interfaces lie below their planned depth", "Yost et al. (2023), section 3.3"),
+               -15.0, 15.0}}};
 }
 
 }  // namespace cpt::solver

@@ -6,18 +6,18 @@
 namespace cpt::solver {
 
 Mechanism zero_offset_mechanism() {
-  return {"zero_offset",
-          "a load cell whose zero is off",
-          "q_recorded = q_c + offset",
-          "ISO 22476-1 (2012), Table 2: q_c to 100 kPa in application class 2",
-          "q_c differs by the same kPa at all depths: largest in proportion where the soil is soft.",
-          any_soil,
-          false,
-          {{number<&Setup::mechanisms, &Mechanisms::zero_offset, &ZeroOffset::offset>(
-                "zero_offset.offset_kPa", "Δq_0", kilopascals, -5000.0, 5000.0, any_soil,
-                "recorded less true q_c", "ISO 22476-1"),
-            -100.0, 100.0}},
-          true};
+  return {
+      .name = "zero_offset",
+      .title = "a load cell whose zero is off",
+      .equation = "q_recorded = q_c + offset",
+      .source = "ISO 22476-1 (2012), Table 2: q_c to 100 kPa in application class 2",
+      .signature = "q_c differs by the same kPa at all depths: largest in proportion where the soil is soft.",
+      .acts_on = any_soil,
+      .parameters = {{number<&Setup::mechanisms, &Mechanisms::zero_offset, &ZeroOffset::offset>(
+                          "zero_offset.offset_kPa", "Δq_0", kilopascals, -5000.0, 5000.0, any_soil,
+                          "recorded less true q_c", "ISO 22476-1"),
+                      -100.0, 100.0}},
+      .of_reading = true};
 }
 
 }  // namespace cpt::solver
