@@ -18,13 +18,6 @@ std::string joined(const std::vector<std::string>& sentences) {
   return text;
 }
 
-std::vector<std::size_t> mechanisms_in_set(const DiagnosisInput& input) {
-  std::vector<std::size_t> found;
-  for (const std::size_t k : input.diagnosis.set)
-    if (k < input.mechanisms.size()) found.push_back(k);
-  return found;
-}
-
 bool in_set(const DiagnosisInput& input, std::size_t k) {
   return std::ranges::find(input.diagnosis.set, k) != input.diagnosis.set.end();
 }
@@ -75,7 +68,7 @@ Answer named(const DiagnosisInput& input) {
 
 Answer indistinguishable(const DiagnosisInput& input) {
   std::vector<std::string> titles, fits;
-  for (const std::size_t k : mechanisms_in_set(input)) {
+  for (const std::size_t k : diagnosis::mechanisms_in_set(input.diagnosis)) {
     titles.push_back(title_of(input, k));
     fits.push_back(fmt::format("{} ({}): {}.", capitalized(title_of(input, k)), chance(input, k),
                                fitted_parameters(input, k)));
@@ -157,11 +150,11 @@ const char* name_of(AnswerKind kind) {
 Answer answer_of(const DiagnosisInput& input) {
   const std::size_t mechanisms = input.mechanisms.size();
   const diagnosis::Diagnosis& d = input.diagnosis;
-  Answer answer = d.answer > mechanisms && d.winner != d.answer ? gate_failed(input)
-                  : d.answer > mechanisms                       ? none_of_these(input)
-                  : d.answer == mechanisms                      ? nothing_missing(input)
-                  : mechanisms_in_set(input).size() > 1         ? indistinguishable(input)
-                                                                : named(input);
+  Answer answer = d.answer > mechanisms && d.winner != d.answer              ? gate_failed(input)
+                  : d.answer > mechanisms                                    ? none_of_these(input)
+                  : d.answer == mechanisms                                   ? nothing_missing(input)
+                  : diagnosis::mechanisms_in_set(input.diagnosis).size() > 1 ? indistinguishable(input)
+                                                                             : named(input);
   answer.reservations = reservations(input);
   std::erase(answer.paragraphs, "");
   return answer;
