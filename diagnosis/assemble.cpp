@@ -53,6 +53,7 @@ class Curves {
     throw std::logic_error("no such point");
   }
   [[nodiscard]] std::optional<VectorXd> of_point(std::size_t point) const { return of(id_of_point(point)); }
+  [[nodiscard]] const SoundingData& sounding() const { return data_; }
   [[nodiscard]] int baseline_id() const { return realizations_.front().id; }
   [[nodiscard]] std::optional<VectorXd> baseline() const { return of(baseline_id()); }
 
@@ -159,7 +160,7 @@ class Assembler {
   }
 
   [[nodiscard]] VectorXd simulated(const Curves& curves) const {
-    const SoundingData& data = soundings_[static_cast<std::size_t>(&curves - curves_.data())];
+    const SoundingData& data = curves.sounding();
     const std::optional<VectorXd> baseline = curves.baseline();
     if (!baseline)
       throw std::invalid_argument(data.request.name + ": the baseline's run failed; see the failures of " +
@@ -191,7 +192,7 @@ class Assembler {
       effect.two_valued = !row.quantity->choices.empty();
       const auto side = [&](Side which) -> VectorXd {
         const auto run = joined_run(curves_, [&](const Curves& curves) -> std::optional<VectorXd> {
-          const auto& own = soundings_[static_cast<std::size_t>(&curves - curves_.data())].study.study.rows;
+          const auto& own = curves.sounding().study.study.rows;
           for (std::size_t k = 0; k < own.size(); ++k)
             if (own[k].quantity == row.quantity) return curves.of_row(static_cast<int>(k), which);
           return curves.baseline();
