@@ -15,7 +15,7 @@
 #include "campaign/pace.hpp"
 #include "campaign/stop_signals.hpp"
 #include "campaign/worker.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "parameters/run_order.hpp"
 #include "results/files/patience.hpp"
 #include "results/ledger/curve_store.hpp"
@@ -449,7 +449,7 @@ Summary run_campaign(const parameters::Study& study, const std::string& study_te
 
 Summary run_campaign(const parameters::Study& study, const std::string& study_text, Transport& transport,
                      Executor& executor, const RunOptions& options, ProgressDisplay& display) {
-  const std::vector<parameters::Realization> realizations = parameters::one_at_a_time(study);
+  const std::vector<parameters::Realization> realizations = parameters::all_realizations(study);
   results::Ledger ledger =
       results::Ledger::open_for_run(study, realizations,
                                     {study_text, options.retry_failed, options.file_system,

@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "solver/mechanisms/reading.hpp"
 
 namespace cpt::diagnosis {
@@ -21,7 +21,7 @@ class Curves {
  public:
   Curves(const SoundingData& data, const SoundingGrid& grid, Measured measured)
       : data_(data), grid_(grid), measured_(measured) {
-    realizations_ = parameters::one_at_a_time(data.study.study);
+    realizations_ = parameters::all_realizations(data.study.study);
   }
 
   /// ln of the cell means, nothing if the realization did not complete.

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "diagnosis/request_keys.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "parameters/fields.hpp"
 #include "parameters/read_quantities.hpp"
 #include "recordings/csv.hpp"
@@ -207,7 +207,7 @@ class RequestReader {
       change.quantity->set_value(known.baseline, change.value);
       std::erase_if(known.rows, [&](const Row& row) { return row.quantity == change.quantity; });
     }
-    for (const Realization& realization : one_at_a_time(known))
+    for (const Realization& realization : all_realizations(known))
       for (const solver::Problem& problem : solver::problems(make_setup(known, realization)))
         return errors_.add(
             place, key,

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "solver/lengths.hpp"
 
 namespace cpt::parameters {
@@ -53,7 +53,7 @@ void check_physics(const Study& study, const QuantitySections& sections, const S
                        [&](const solver::Problem& other) { return other.quantity == problem.quantity; });
   };
   bool design_told = false, repeats_seen = false;
-  for (const Realization& realization : one_at_a_time(study)) {
+  for (const Realization& realization : all_realizations(study)) {
     if (realization.side == Side::baseline) continue;
     repeats_seen = repeats_seen || realization.side == Side::repeat;
     // The pairs of repeats come last; what is wrong with them is so with their bound.
@@ -108,7 +108,7 @@ std::string range_hint(const Window& window, double start, double end) {
 void check_windows(const Study& study, const QuantitySections& sections, const StudyPlaces& places,
                    ErrorList& errors) {
   double start = 0.0, end = INFINITY, bin = 0.0;  // [m] what every realization covers
-  for (const Realization& realization : one_at_a_time(study)) {
+  for (const Realization& realization : all_realizations(study)) {
     const solver::Setup setup = make_setup(study, realization);
     start = std::max(start, setup.penetrometer.diameter / 2.0 / std::tan(setup.penetrometer.apex / 2.0));
     end = std::min(end, setup.penetrometer.final_depth);

@@ -10,7 +10,7 @@
 #include <optional>
 #include <set>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "parameters/fields.hpp"
 #include "parameters/read_quantities.hpp"
 #include "parameters/realization.hpp"
@@ -276,7 +276,8 @@ SamplesOrErrors read_samples(const FieldTable& table, const Study& study, const 
 
 std::vector<Sample> new_samples(const Study& study, const std::vector<Sample>& samples) {
   std::set<std::string> known;
-  for (const Realization& realization : one_at_a_time(study)) known.insert(settings_text(study, realization));
+  for (const Realization& realization : all_realizations(study))
+    known.insert(settings_text(study, realization));
   std::vector<Sample> unknown;
   for (const Sample& sample : samples) {
     solver::Setup setup = study.baseline;

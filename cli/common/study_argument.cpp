@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "cli/common/input_kind.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "parameters/read_study.hpp"
 
 namespace cpt::cli {
@@ -32,7 +32,7 @@ StudyFile read_study_file(const std::filesystem::path& file) {
 }
 
 parameters::Realization find_realization(const parameters::Study& study, int id) {
-  const auto realizations = parameters::one_at_a_time(study);
+  const auto realizations = parameters::all_realizations(study);
   for (const parameters::Realization& realization : realizations)
     if (realization.id == id) return realization;
   throw BadInput(

@@ -17,7 +17,7 @@
 #include "diagnosis/answer_store.hpp"
 #include "diagnosis/assemble.hpp"
 #include "diagnosis/fitted.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "reports/diagnosis/answer.hpp"
 #include "reports/diagnosis/write_diagnosis_report.hpp"
 
@@ -69,7 +69,7 @@ void print_request_plan(const RequestFile& asked) {
   print_remarks(asked.study);
   for (const SoundingData& sounding : soundings_of(asked))
     fmt::print("{}: {} realizations, kept in {}\n", sounding.request.name,
-               parameters::one_at_a_time(sounding.study.study).size(),
+               parameters::all_realizations(sounding.study.study).size(),
                sounding.study.study.database.string());
 }
 

@@ -7,7 +7,7 @@
 
 #include "cli/exit_codes.hpp"
 #include "cli/run/sample_growth.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "results/ledger/matching.hpp"
 #include "results/tables/table_format.hpp"
 #include "solver/simulate.hpp"
@@ -38,7 +38,7 @@ void print_plan(const parameters::Study& study) {
   const std::optional<results::Prospect> found = results::prospect(study);
   results::Table table{{"id", "parameter", "side", "value", "baseline", "unit", "status"}, {}};
   std::size_t k = 0;
-  for (const parameters::Realization& realization : parameters::one_at_a_time(study)) {
+  for (const parameters::Realization& realization : parameters::all_realizations(study)) {
     std::string baseline;
     std::string unit;
     if (realization.row >= 0) {
@@ -61,7 +61,7 @@ void print_plan(const parameters::Study& study) {
 int validate(const parameters::Study& study) {
   int bad = 0;
   std::int64_t material_points = 0;
-  const auto realizations = parameters::one_at_a_time(study);
+  const auto realizations = parameters::all_realizations(study);
   for (const parameters::Realization& realization : realizations) {
     StopAtOnce observer;
     const solver::Outcome outcome = solver::simulate(parameters::make_setup(study, realization), observer);

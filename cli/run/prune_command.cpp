@@ -13,7 +13,7 @@
 #include "cli/command.hpp"
 #include "cli/common/study_argument.hpp"
 #include "cli/exit_codes.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "results/ledger/provenance.hpp"
 #include "results/ledger/pruning.hpp"
 #include "results/ledger/schema.hpp"
@@ -38,7 +38,7 @@ std::set<std::string> asked_for(const std::filesystem::path& source) {
   std::set<std::string> hashes;
   if (!names_study(source)) return hashes;
   const parameters::Study study = read_study_file(source).study;
-  for (const parameters::Realization& realization : parameters::one_at_a_time(study))
+  for (const parameters::Realization& realization : parameters::all_realizations(study))
     hashes.insert(results::settings_hash(parameters::make_setup(study, realization)));
   return hashes;
 }

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
+#include "parameters/all_realizations.hpp"
 #include "parameters/designs/latin_hypercube.hpp"
 #include "parameters/designs/morris.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/designs/pairs.hpp"
 #include "parameters/designs/sobol.hpp"
 
@@ -126,7 +126,7 @@ std::vector<DesignPoint> design_points(const Study& study) {
   const MatrixXd places = design_places(study);
   std::vector<DesignPoint> points;
   if (places.rows() == 0) return points;
-  auto known = by_settings(study, one_at_a_time(study));
+  auto known = by_settings(study, all_realizations(study));
   for (Index run = 0; run < places.rows(); ++run) {
     DesignPoint point = point_of(study, places, run);
     if (known.try_emplace(settings_of(study, point), 0).second) points.push_back(std::move(point));

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "results/files/file_lock.hpp"
 #include "results/ledger/interrupted.hpp"
 #include "results/ledger/ledger_rows.hpp"
@@ -64,7 +64,7 @@ LedgerView view_ledger(const parameters::Study& study, const std::string& study_
   upgrade_schema(database);
   mend_views(database);
   const std::vector<std::string> changes = study_changes(database, study);
-  const Matching matching = match(database, study, parameters::one_at_a_time(study));
+  const Matching matching = match(database, study, parameters::all_realizations(study));
   const Opened opened = describe(matching, {}, false, false);
   apply(database, matching, false, true);
   write_study(database, study, study_text);

@@ -7,7 +7,7 @@
 #include <map>
 #include <system_error>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "results/files/file_lock.hpp"
 #include "results/ledger/run_tables.hpp"
 #include "results/ledger/schema.hpp"
@@ -155,7 +155,7 @@ std::optional<Prospect> prospect(const parameters::Study& study) {
   const std::filesystem::path lock = study.database.string() + ".lock";
   const bool under_way = is_held(lock);  // before the rows, as read_snapshot
   const Transaction transaction(database, Transaction::Kind::read);
-  Prospect found{match(database, study, parameters::one_at_a_time(study)), {}, "", under_way};
+  Prospect found{match(database, study, parameters::all_realizations(study)), {}, "", under_way};
   found.opened = describe(found.matching, study_changes(database, study), false, false, under_way);
   if (under_way)
     found.opened.messages.push_back(

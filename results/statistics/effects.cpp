@@ -10,9 +10,9 @@
 #include <span>
 #include <variant>
 
+#include "parameters/all_realizations.hpp"
 #include "parameters/designs/design.hpp"
 #include "parameters/designs/morris.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/designs/pairs.hpp"
 #include "parameters/designs/polynomial_chaos.hpp"
 #include "parameters/designs/sobol.hpp"
@@ -31,7 +31,7 @@ using parameters::undefined;
 
 // The stored realization of each run of the design; nullptr where the ledger has another one in its place.
 std::vector<const RealizationRow*> stored_runs(const Study& study, const Snapshot& s) {
-  const auto realizations = parameters::one_at_a_time(study);
+  const auto realizations = parameters::all_realizations(study);
   std::map<int, const RealizationRow*> by_id;
   for (const RealizationRow& row : s.realizations) by_id[row.id] = &row;
   std::vector<const RealizationRow*> runs;

@@ -12,7 +12,7 @@
 #include <optional>
 #include <set>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "parameters/fields.hpp"
 #include "parameters/written_number.hpp"
 #include "results/files/atomic_file.hpp"
@@ -395,7 +395,7 @@ Remarks import_samples(const parameters::Study& asked, const std::string& study_
                        std::span<const parameters::Sample> samples, const ImportedFile& file,
                        const std::filesystem::path& target) {
   parameters::Study study = asked;  // with the samples that are none of its realizations
-  std::vector<parameters::Realization> realizations = parameters::one_at_a_time(study);
+  std::vector<parameters::Realization> realizations = parameters::all_realizations(study);
   std::map<std::string, int> free;  // realizations without a sample, by their settings
   for (const parameters::Realization& r : realizations) free.try_emplace(settings_text(study, r), r.id);
   std::map<int, const parameters::Sample*> sample_of;

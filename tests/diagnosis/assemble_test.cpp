@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "tests/diagnosis/request_fixture.hpp"
 #include "tests/solver/default_soils.hpp"
 
@@ -28,7 +28,7 @@ class Assembling : public ::testing::Test {
                                      request.joint),
                       {},
                       {}};
-    for (const parameters::Realization& realization : parameters::one_at_a_time(data.study.study)) {
+    for (const parameters::Realization& realization : parameters::all_realizations(data.study.study)) {
       const solver::Setup setup = parameters::make_setup(data.study.study, realization);
       results::CurveRow curve{realization.id, {}};
       for (double depth = 0.02025; depth < 0.30; depth += 0.0005) {
@@ -109,7 +109,7 @@ TEST_F(Assembling, MechanismsOfTheReadingAreReadFromTheRunsAtHand) {
 
 TEST_F(Assembling, LeavesOutWhatFailedAndSaysSo) {
   const parameters::Study& study = soundings[0].study.study;
-  for (const parameters::Realization& realization : parameters::one_at_a_time(study))
+  for (const parameters::Realization& realization : parameters::all_realizations(study))
     for (const char* name : {"cushion_transfer 5", "cushion_transfer joint 2"})
       if (parameters::parameter_name(study, realization) == name)
         soundings[0].campaign.realizations[static_cast<std::size_t>(realization.id - 1)].status =

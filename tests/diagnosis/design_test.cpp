@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "tests/diagnosis/request_fixture.hpp"
 
 namespace cpt::diagnosis {
@@ -18,7 +18,7 @@ SoundingStudy made(const std::string& more = "") {
 TEST(Design, EveryRunIsPossibleAndDifferent) {
   const SoundingStudy sounding_runs = made();
   std::set<std::string> names, settings;
-  for (const parameters::Realization& realization : parameters::one_at_a_time(sounding_runs.study)) {
+  for (const parameters::Realization& realization : parameters::all_realizations(sounding_runs.study)) {
     const solver::Setup setup = parameters::make_setup(sounding_runs.study, realization);
     for (const solver::Problem& problem : solver::problems(setup))
       ADD_FAILURE() << parameters::parameter_name(sounding_runs.study, realization) << ": "
@@ -28,7 +28,7 @@ TEST(Design, EveryRunIsPossibleAndDifferent) {
       names.insert(std::string(parameters::parameter_name(sounding_runs.study, realization)));
   }
   EXPECT_EQ(names.size(), sounding_runs.study.points.size());
-  EXPECT_EQ(settings.size(), parameters::one_at_a_time(sounding_runs.study).size());
+  EXPECT_EQ(settings.size(), parameters::all_realizations(sounding_runs.study).size());
 }
 
 TEST(Design, FillsThePriorOfEachMechanism) {
@@ -88,7 +88,7 @@ TEST(Design, WhatAMechanismDoesNotVaryIsTheStudys) {
   const SoundingStudy runs =
       sounding_study(study, request.soundings[0], request.mechanisms, request.repeats, request.joint);
   int pushed_before = 0;
-  for (const parameters::Realization& realization : parameters::one_at_a_time(runs.study)) {
+  for (const parameters::Realization& realization : parameters::all_realizations(runs.study)) {
     const solver::Setup setup = parameters::make_setup(runs.study, realization);
     if (!setup.mechanisms.previous_push.on()) continue;
     EXPECT_EQ(setup.mechanisms.previous_push.depth, 0.6);
@@ -107,10 +107,10 @@ TEST(Design, WhatIsKnownIsNoLongerUncertain) {
 
 TEST(Design, WhatIsKnownHoldsInTheMechanismsRunsToo) {
   const SoundingStudy first = made("fixed = { \"previous_push.share\" = 0 }\n");
-  for (const parameters::Realization& realization : parameters::one_at_a_time(first.study))
+  for (const parameters::Realization& realization : parameters::all_realizations(first.study))
     EXPECT_FALSE(parameters::make_setup(first.study, realization).mechanisms.previous_push.on());
   const SoundingStudy second = made();
-  EXPECT_TRUE(std::ranges::any_of(parameters::one_at_a_time(second.study), [&](const auto& realization) {
+  EXPECT_TRUE(std::ranges::any_of(parameters::all_realizations(second.study), [&](const auto& realization) {
     return parameters::make_setup(second.study, realization).mechanisms.previous_push.on();
   }));
 }

@@ -1,7 +1,7 @@
 #include <array>
 #include <map>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "tests/parameters/studies.hpp"
 #include "tests/solver/default_soils.hpp"
 
@@ -25,7 +25,7 @@ void expect_study(const std::string& name, Profile profile, Preset preset, std::
   const Study study = example(name);
   EXPECT_EQ(study.profile, profile) << name;
   EXPECT_EQ(study.preset, preset) << name;
-  EXPECT_EQ(one_at_a_time(study).size(), realizations) << name;
+  EXPECT_EQ(all_realizations(study).size(), realizations) << name;
 }
 
 // The first study that anybody types.
@@ -40,7 +40,7 @@ TEST(Examples, TheReadmesStudyIsSound) {
   }
   EXPECT_NE(study.find("[parameters]"), std::string::npos);
   // Tells what is wrong with it, if something is.
-  EXPECT_EQ(one_at_a_time(study_of(study)).size(), 13U);  // six bounds, six repeats, the baseline
+  EXPECT_EQ(all_realizations(study_of(study)).size(), 13U);  // six bounds, six repeats, the baseline
 }
 
 TEST(Examples, HaveTheirRealizations) {

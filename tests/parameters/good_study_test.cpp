@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "tests/parameters/studies.hpp"
 #include "tests/solver/default_soils.hpp"
 

@@ -1,7 +1,7 @@
 // Points of a study: realizations that change several inputs at once, and repeats of the baseline.
 #include <cmath>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "tests/parameters/studies.hpp"
 #include "tests/solver/default_soils.hpp"
 
@@ -13,7 +13,7 @@ TEST(Points, ComeAfterTheRows) {
       "[parameters]\nsand.H = { baseline = 25, upper = 75 }\n"
       "[[points]]\nname = \"dense and smooth\"\nsand.D_r_percent = 46\n\"contact.friction_ratio\" = 0.3\n"
       "[[points]]\nname = \"flexible\"\nchamber.wall = \"flexible\"\n"));
-  const auto realizations = one_at_a_time(study);
+  const auto realizations = all_realizations(study);
   ASSERT_EQ(realizations.size(), 4U);
   const Realization& both = realizations[2];
   EXPECT_EQ(both.id, 3);
@@ -51,7 +51,7 @@ TEST(Points, ErrorsTellWhatIsWrong) {
 
 TEST(Repeats, ShiftTheMaterialPointsEvenlyToEitherSide) {
   const Study study = study_of("repeats = 4\n" + sand_study("[[points]]\nname = \"a\"\nsand.H = 50\n"));
-  const auto realizations = one_at_a_time(study);
+  const auto realizations = all_realizations(study);
   ASSERT_EQ(realizations.size(), 6U);
   EXPECT_EQ(realizations[1].side, Side::point);
   const std::vector<double> shifts = {-0.4, -0.2, 0.2, 0.4};
@@ -68,8 +68,8 @@ TEST(Repeats, ShiftTheMaterialPointsEvenlyToEitherSide) {
 
 TEST(Repeats, GoAroundFromAShiftedBaseline) {
   const Study study = study_of("repeats = 2\n" + sand_study("[fixed]\n\"numerics.point_shift\" = 0.3\n"));
-  EXPECT_DOUBLE_EQ(make_setup(study, one_at_a_time(study)[1]).numerics.point_shift, -0.1);
-  EXPECT_DOUBLE_EQ(make_setup(study, one_at_a_time(study)[2]).numerics.point_shift, -0.3);
+  EXPECT_DOUBLE_EQ(make_setup(study, all_realizations(study)[1]).numerics.point_shift, -0.1);
+  EXPECT_DOUBLE_EQ(make_setup(study, all_realizations(study)[2]).numerics.point_shift, -0.3);
 }
 
 // Both bounds with the shifts of the repeats, after all else; a bound that is the baseline has its repeat
@@ -79,7 +79,7 @@ TEST(Repeats, PairsHaveTheShiftsOfTheRepeats) {
       study_of("repeats = 2\npaired_repeats = [\"sand.H\", \"sand.nu\"]\n" +
                sand_study("[parameters]\nsand.nu = { baseline = 0.2, lower = 0.1, upper = 0.3 }\n"
                           "sand.H = { baseline = 25, upper = 75 }\n"));
-  const auto realizations = one_at_a_time(study);
+  const auto realizations = all_realizations(study);
   std::vector<std::string> names;
   for (const Realization& r : realizations)
     if (r.point >= 0) names.emplace_back(parameter_name(study, r));

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <numeric>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "tests/parameters/studies.hpp"
 
 namespace cpt::parameters {
 namespace {
 
-RunOrder order_of(const Study& study) { return run_order(study, one_at_a_time(study)); }
+RunOrder order_of(const Study& study) { return run_order(study, all_realizations(study)); }
 
 TEST(RunOrder, RowsThatLikelyMatterComeFirstWithBothBounds) {
   const Study study = study_of(
@@ -48,7 +48,7 @@ TEST(RunOrder, HoldsEveryRealizationOfTheExampleOnce) {
   EXPECT_EQ(order.leading, 8);  // H, density, friction and sigma'_h0: seven bounds
   std::vector<int> all(order.ids.size());
   std::iota(all.begin(), all.end(), 1);
-  EXPECT_EQ(all.size(), one_at_a_time(study).size());
+  EXPECT_EQ(all.size(), all_realizations(study).size());
   std::ranges::sort(order.ids);
   EXPECT_EQ(order.ids, all);
 }

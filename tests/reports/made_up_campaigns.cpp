@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "parameters/read_study.hpp"
 #include "results/ledger/ledger.hpp"
 #include "solver/quantities.hpp"
@@ -158,7 +158,7 @@ Study layered_study(const std::filesystem::path& folder) {
 }
 
 results::Snapshot run_made_up(const Study& study, const Mishaps& mishaps) {
-  const auto realizations = parameters::one_at_a_time(study);
+  const auto realizations = parameters::all_realizations(study);
   results::Ledger ledger =
       results::Ledger::open_for_run(study, realizations, {"title = \"" + study.title + "\"\n"});
   for (const parameters::Realization& realization : realizations) {
@@ -188,7 +188,7 @@ results::Snapshot run_made_up_design(const std::filesystem::path& file, const st
       "[[windows]]\nname = \"deep\"\nfrom_m = 0.5054\nto_m = 0.5255\n[design]\n" +
       design + "\n";
   const Study study = std::get<Study>(parameters::parse_study(text, file));
-  const auto realizations = parameters::one_at_a_time(study);
+  const auto realizations = parameters::all_realizations(study);
   results::Ledger ledger = results::Ledger::open_for_run(study, realizations, {text});
   for (const parameters::Realization& realization : realizations) {
     const solver::Setup setup = make_setup(study, realization);

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "parameters/realization.hpp"
 #include "parameters/study.hpp"
 #include "results/ledger/ledger.hpp"
@@ -92,7 +92,7 @@ inline solver::Outcome failed(solver::Status status, std::string reason) {
 }
 
 inline Ledger open(const parameters::Study& study, bool retry_failed = false) {
-  return Ledger::open_for_run(study, parameters::one_at_a_time(study), {"[study]\n", retry_failed});
+  return Ledger::open_for_run(study, parameters::all_realizations(study), {"[study]\n", retry_failed});
 }
 
 /// Everything in the database but times, as text: equal texts mean equal campaigns.

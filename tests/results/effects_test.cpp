@@ -36,7 +36,7 @@ class EffectsOf : public ScratchFolder {
     if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
       throw std::runtime_error(parameters::format(*errors));
     study = std::get<Study>(std::move(parsed));
-    const auto realizations = parameters::one_at_a_time(study);
+    const auto realizations = parameters::all_realizations(study);
     Ledger ledger = Ledger::open_for_run(study, realizations, {text, false});
     for (const Realization& realization : realizations) {
       const std::string name(parameter_name(study, realization));

@@ -110,7 +110,7 @@ TEST_F(ImportSamples, AStraightLineHasItsEffects) {
         levels);
     const auto made = std::get<parameters::Study>(parameters::parse_study(text, folder / "line.toml"));
     std::vector<Sample> samples;
-    for (const parameters::Realization& r : parameters::one_at_a_time(made)) {
+    for (const parameters::Realization& r : parameters::all_realizations(made)) {
       const solver::Setup setup = make_setup(made, r);
       samples.push_back(sample(fmt::format("run {}", r.id), {},
                                2000.0 + 240.0 * solver::sand_of(setup).nu +

@@ -69,7 +69,7 @@ class ImportTables : public ScratchFolder {
         {"repeat 1", {{solver::find_quantity("numerics.point_shift"), 0.25}}, true},
         {"repeat 2", {{solver::find_quantity("numerics.point_shift"), -0.25}}, true}};
     Ledger ledger =
-        Ledger::open_for_run(study, parameters::one_at_a_time(study), {"title = 1\r\n\n# ü\n", false});
+        Ledger::open_for_run(study, parameters::all_realizations(study), {"title = 1\r\n\n# ü\n", false});
     for (const int id : ledger.pending()) {
       solver::Outcome outcome = completed(1e6 / 3 + id);
       if (id == 4) {

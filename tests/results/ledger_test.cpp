@@ -53,7 +53,7 @@ TEST_F(LedgerTest, NewDatabaseHoldsEveryRealizationPending) {
   EXPECT_TRUE(std::isnan(s.realizations[0].value));
   EXPECT_EQ(s.realizations[2].value_text, "75");
   EXPECT_EQ(s.realizations[2].settings_hash,
-            settings_hash(parameters::make_setup(study, parameters::one_at_a_time(study)[2])));
+            settings_hash(parameters::make_setup(study, parameters::all_realizations(study)[2])));
 }
 
 TEST_F(LedgerTest, RecordsEverythingOfAnOutcomeBitForBit) {

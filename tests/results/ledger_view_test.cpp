@@ -59,7 +59,7 @@ TEST_F(View, TakesUnusedResultsThatFitAgain) {
   parameters::Study edited = study;
   edited.rows[0].upper = 80;
   {
-    Ledger ledger = Ledger::open_for_run(edited, parameters::one_at_a_time(edited), {"edited\n", false});
+    Ledger ledger = Ledger::open_for_run(edited, parameters::all_realizations(edited), {"edited\n", false});
     ledger.record(3, completed(9e6));
   }
   const Snapshot s = read_snapshot(view_ledger(study, "[study]\n"));

@@ -298,7 +298,7 @@ TEST_F(Resume, JournalSuitsTheFileSystem) {
   const auto journal = [&](FileSystem system) {
     RunOptions options;
     options.file_system = system;
-    const Ledger ledger = Ledger::open_for_run(study, parameters::one_at_a_time(study), options);
+    const Ledger ledger = Ledger::open_for_run(study, parameters::all_realizations(study), options);
     const Database database(study.database, Database::Mode::read_only);
     Statement mode = database.prepare("PRAGMA journal_mode");
     EXPECT_TRUE(mode.step());

@@ -231,7 +231,7 @@ TEST_F(Unused, AreToldBeforeAnythingIsWritten) {
     ++told;
   };
   const Ledger ledger =
-      Ledger::open_for_run(edited, parameters::one_at_a_time(edited), {"[study]\n", false, {}, tell});
+      Ledger::open_for_run(edited, parameters::all_realizations(edited), {"[study]\n", false, {}, tell});
   EXPECT_EQ(told, static_cast<int>(ledger.opened().messages.size()));
   EXPECT_GT(told, 2);
   EXPECT_NE(everything(), before);
@@ -243,7 +243,7 @@ TEST_F(Unused, ALookAtWhatAStudyAsksForWritesNothing) {
   parameters::Study edited = study;
   edited.rows[0].upper = 80;
   const Database database(study.database, Database::Mode::read_only);
-  const Matching matching = match(database, edited, parameters::one_at_a_time(edited));
+  const Matching matching = match(database, edited, parameters::all_realizations(edited));
   ASSERT_EQ(matching.realizations.size(), 8u);
   EXPECT_FALSE(matching.realizations[2].held.has_value());
   EXPECT_EQ(matching.realizations[3].held->status, "energy_drift");
@@ -282,7 +282,7 @@ TEST_F(Unused, WhatEndsBeforeTheCommitLeavesTheStudyAsItWas) {
   fix_friction(edited);
   struct Killed {};
   // What is told is the last step before the writes of the one transaction.
-  EXPECT_THROW((void)Ledger::open_for_run(edited, parameters::one_at_a_time(edited),
+  EXPECT_THROW((void)Ledger::open_for_run(edited, parameters::all_realizations(edited),
                                           {"[study]\n", false, {}, [](std::string_view) { throw Killed{}; }}),
                Killed);
   EXPECT_EQ(everything(), before);

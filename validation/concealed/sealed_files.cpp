@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "results/files/atomic_file.hpp"
 #include "results/files/file_bytes.hpp"
 #include "results/ledger/provenance.hpp"
@@ -44,7 +44,7 @@ std::string plan_hash(const Plan& plan, const parameters::Study& study) {
   }
   const Counts& c = plan.cases;
   text += fmt::format("{} {} {} {} {}", c.nothing, c.single, c.pair, c.outside, c.two_soundings);
-  for (const parameters::Realization& realization : parameters::one_at_a_time(study))
+  for (const parameters::Realization& realization : parameters::all_realizations(study))
     text += parameters::settings_text(study, realization);
   return results::sha256(text);
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "parameters/designs/variation.hpp"
 #include "parameters/read_study.hpp"
 #include "results/statistics/sensitivity.hpp"
@@ -55,7 +55,7 @@ NumericsStudy read_numerics(const std::filesystem::path& database) {
 NumericsStudy read_numerics(results::Snapshot campaign, const std::filesystem::path& database) {
   NumericsStudy found{std::move(campaign), {}, {}};
   const parameters::Study study = study_of(found.campaign, database);
-  const auto realizations = parameters::one_at_a_time(study);
+  const auto realizations = parameters::all_realizations(study);
   const int baseline = realizations.front().id;
   found.repeats.push_back(baseline);
 

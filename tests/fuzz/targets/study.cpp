@@ -1,4 +1,4 @@
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "parameters/read_study.hpp"
 #include "tests/fuzz/targets.hpp"
 
@@ -18,7 +18,7 @@ Fate study(std::string_view toml) {
     return Fate::refused;
   }
   const Study& sound = std::get<Study>(read);
-  for (const Realization& realization : one_at_a_time(sound))
+  for (const Realization& realization : all_realizations(sound))
     promise(solver::problems(make_setup(sound, realization)).empty(), "every realization can be run");
   return Fate::sound;
 }

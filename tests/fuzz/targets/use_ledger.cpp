@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "diagnosis/answer_store.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "reports/figure_files.hpp"
 #include "reports/page.hpp"
 #include "results/ledger/curve_store.hpp"
@@ -41,7 +41,7 @@ solver::Outcome completed(double level) {
 }
 
 results::Ledger open(const parameters::Study& study) {
-  return results::Ledger::open_for_run(study, parameters::one_at_a_time(study), {quick_study_text});
+  return results::Ledger::open_for_run(study, parameters::all_realizations(study), {quick_study_text});
 }
 
 parameters::Study study_at(const fs::path& database) {

@@ -6,8 +6,8 @@
 
 #include <set>
 
+#include "parameters/all_realizations.hpp"
 #include "parameters/designs/morris.hpp"
-#include "parameters/designs/one_at_a_time.hpp"
 #include "parameters/designs/pairs.hpp"
 #include "parameters/designs/polynomial_chaos.hpp"
 #include "parameters/designs/sobol.hpp"
@@ -27,7 +27,8 @@ Study with(const std::string& design) { return study_of(sand_study(rows + "[desi
 
 std::set<std::string> all_settings(const Study& study) {
   std::set<std::string> texts;
-  for (const Realization& realization : one_at_a_time(study)) texts.insert(settings_text(study, realization));
+  for (const Realization& realization : all_realizations(study))
+    texts.insert(settings_text(study, realization));
   return texts;
 }
 
@@ -62,7 +63,7 @@ TEST(Design, PointsLieInTheBoxAndEqualSettingsRunOnce) {
             EXPECT_GE(change.value, row.lower) << point.name;
             EXPECT_LE(change.value, row.upper) << point.name;
           }
-    const auto realizations = one_at_a_time(study);
+    const auto realizations = all_realizations(study);
     EXPECT_EQ(all_settings(study).size(), realizations.size()) << design;
   }
 }
@@ -72,7 +73,7 @@ TEST(Design, RunsHaveTheirRealizations) {
   for (const char* design : {"kind = \"pairs\"\n", "kind = \"sobol\"\nruns = 8\n"}) {
     const Study study = with(design);
     const Eigen::MatrixXd places = design_places(study);
-    const auto realizations = one_at_a_time(study);
+    const auto realizations = all_realizations(study);
     const auto found = design_realizations(study, realizations);
     ASSERT_EQ(static_cast<long>(found.size()), run_count(study.design));
     for (std::size_t run = 0; run < found.size(); ++run) {
@@ -91,9 +92,9 @@ TEST(Design, PairsUseTheRunsThatThereAre) {
   const Study study = with("kind = \"pairs\"\nparameters = [\"sand.H\", \"chamber.wall\"]\n");
   ASSERT_EQ(study.points.size(), 1U);
   EXPECT_EQ(study.points[0].name, "pairs 1.2");
-  EXPECT_EQ(value_text(study, one_at_a_time(study).back()), "sand.H = 75, chamber.wall = flexible");
+  EXPECT_EQ(value_text(study, all_realizations(study).back()), "sand.H = 75, chamber.wall = flexible");
   std::vector<std::string> used;
-  const auto realizations = one_at_a_time(study);
+  const auto realizations = all_realizations(study);
   for (const std::size_t index : design_realizations(study, realizations))
     used.push_back(std::string(parameter_name(study, realizations[index])));
   EXPECT_EQ(used, (std::vector<std::string>{"chamber.wall", "pairs 1.2", "", "sand.H"}));
@@ -219,7 +220,7 @@ class WholeNumbers : public ::testing::Test {
                    "chamber.wall = { baseline = \"rigid\", alternative = \"flexible\" }\n[design]\n" +
                    design));
     places = design_places(study);
-    const auto realizations = one_at_a_time(study);
+    const auto realizations = all_realizations(study);
     y.resize(places.rows());
     Eigen::Index run = 0;
     for (const std::size_t index : design_realizations(study, realizations)) {

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 #include "parameters/read_study.hpp"
 #include "results/ledger/ledger.hpp"
 #include "validation/numerics/page.hpp"
@@ -79,7 +79,7 @@ class Numerics : public ::testing::Test {
     const auto study =
         std::get<parameters::Study>(parameters::parse_study(study_text, folder_ / "made_up.toml"));
     fs::remove(study.database);  // of an earlier call
-    const auto realizations = parameters::one_at_a_time(study);
+    const auto realizations = parameters::all_realizations(study);
     results::Ledger ledger = results::Ledger::open_for_run(study, realizations, {study_text});
     for (const parameters::Realization& realization : realizations) {
       if (parameters::parameter_name(study, realization) == left_out && realization.id > 1) continue;

@@ -1,4 +1,5 @@
-// One-at-a-time design: the baseline, then each row of the study at its lower and at its upper bound.
+// What a study runs: the baseline, each row at its lower and at its upper bound, and the points of its
+// design.
 #pragma once
 
 #include <span>
@@ -11,7 +12,7 @@ namespace cpt::parameters {
 
 /// The baseline first (id 1), then rows in file order, lower before upper, then the study's points. A bound
 /// equal to the baseline has no realization of its own.
-[[nodiscard]] std::vector<Realization> one_at_a_time(const Study& study);
+[[nodiscard]] std::vector<Realization> all_realizations(const Study& study);
 
 /// Id of the realization that holds one side of a row; the baseline's where the bound equals the baseline.
 [[nodiscard]] int realization_of(std::span<const Realization> realizations, int row, Side side);

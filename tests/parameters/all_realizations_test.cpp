@@ -1,4 +1,4 @@
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 
 #include <cmath>
 #include <set>
@@ -18,7 +18,7 @@ Study three_rows() {
 
 TEST(OneAtATime, BaselineThenRowsLowerBeforeUpper) {
   const Study study = three_rows();
-  const auto realizations = one_at_a_time(study);
+  const auto realizations = all_realizations(study);
   ASSERT_EQ(realizations.size(), 5u);
   const std::vector<std::pair<std::string, std::string>> expected = {{"", "baseline"},
                                                                      {"sand.nu", "lower"},
@@ -38,7 +38,7 @@ TEST(OneAtATime, BaselineThenRowsLowerBeforeUpper) {
 }
 
 TEST(OneAtATime, ABoundEqualToTheBaselineReusesTheBaseline) {
-  const auto realizations = one_at_a_time(three_rows());
+  const auto realizations = all_realizations(three_rows());
   EXPECT_EQ(realization_of(realizations, 0, Side::lower), 2);
   EXPECT_EQ(realization_of(realizations, 0, Side::upper), 3);
   EXPECT_EQ(realization_of(realizations, 0, Side::baseline), 1);
@@ -51,7 +51,7 @@ TEST(OneAtATime, ABoundEqualToTheBaselineReusesTheBaseline) {
 TEST(OneAtATime, ARealizationChangesOneInputOfTheBaseline) {
   const Study study = three_rows();
   std::set<std::string> texts;
-  for (const Realization& realization : one_at_a_time(study)) {
+  for (const Realization& realization : all_realizations(study)) {
     solver::Setup setup = make_setup(study, realization);
     texts.insert(settings_text(study, realization));
     EXPECT_EQ(settings_text(study, realization), solver::canonical_text(setup));

@@ -1,8 +1,8 @@
-#include "parameters/designs/one_at_a_time.hpp"
+#include "parameters/all_realizations.hpp"
 
 namespace cpt::parameters {
 
-std::vector<Realization> one_at_a_time(const Study& study) {
+std::vector<Realization> all_realizations(const Study& study) {
   std::vector<Realization> realizations = {{1, -1, Side::baseline}};
   const auto add = [&](int row, Side side) {
     realizations.push_back({static_cast<int>(realizations.size()) + 1, row, side});
