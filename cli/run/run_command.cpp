@@ -7,8 +7,6 @@
 
 #include "campaign/mpi_transport.hpp"
 #include "campaign/run_campaign.hpp"
-#include "campaign/stop_signals.hpp"
-#include "campaign/worker.hpp"
 #include "cli/command.hpp"
 #include "cli/common/study_argument.hpp"
 #include "cli/exit_codes.hpp"
@@ -17,6 +15,7 @@
 #include "cli/run/realization_command.hpp"
 #include "cli/run/sample_growth.hpp"
 #include "cli/run/study_remarks.hpp"
+#include "cli/run/study_runner.hpp"
 
 namespace cpt::cli {
 namespace {
@@ -49,7 +48,6 @@ int exit_code(const campaign::Summary& summary) {
 constexpr int reload_while_running = 5;  // of the page while the campaign runs
 
 int run_study(RunArguments arguments, campaign::Transport& transport, bool& ranks_lost) {
-  const campaign::Dismissal dismissal(transport);
   const StudyFile file = read_study_file(arguments.study);
   refuse_forgotten_growth(file.study);
   if (!arguments.quiet) print_remarks(file.study);
@@ -90,20 +88,9 @@ int run(const RunArguments& arguments) {
     return arguments.validate ? validate(file.study) : all_well;
   }
 
-  const campaign::StopSignals signals;
-  bool ranks_lost = false;
-  if (!campaign::started_by_mpi()) {
-    campaign::InProcessTransport transport;
+  return run_on_ranks(arguments.options, [&](campaign::Transport& transport, bool& ranks_lost) {
     return run_study(arguments, transport, ranks_lost);
-  }
-  campaign::MpiTransport transport;
-  if (transport.rank() != 0) {
-    campaign::serve_master(transport, arguments.options);
-    return all_well;
-  }
-  const int code = run_study(arguments, transport, ranks_lost);
-  if (ranks_lost) transport.abandon(code);
-  return code;
+  });
 }
 
 }  // namespace

@@ -13,18 +13,9 @@
 namespace cpt::cli {
 namespace {
 
-int as_master(campaign::Transport& transport, bool& ranks_lost,
-              const std::function<int(campaign::Transport&, bool&)>& work) {
+int as_master(campaign::Transport& transport, bool& ranks_lost, const MasterWork& work) {
   const campaign::Dismissal dismissal(transport);
-  try {
-    return work(transport, ranks_lost);
-  } catch (const StudyRunner::Stopped& stopped) {
-    fmt::print(stderr, "stopped by signal {}; the same command goes on where this one stopped\n",
-               stopped.signal);
-    return stopped_by_signal + stopped.signal;
-  } catch (const std::invalid_argument& problem) {
-    throw BadInput(problem.what());
-  }
+  return work(transport, ranks_lost);
 }
 
 }  // namespace
@@ -40,8 +31,7 @@ results::Snapshot StudyRunner::run(const parameters::Study& study, const std::fi
   return results::read_snapshot(study.database);
 }
 
-int run_as_master(const campaign::RunOptions& options,
-                  const std::function<int(campaign::Transport& transport, bool& ranks_lost)>& work) {
+int run_on_ranks(const campaign::RunOptions& options, const MasterWork& work) {
   const campaign::StopSignals signals;
   bool ranks_lost = false;
   if (!campaign::started_by_mpi()) {
@@ -56,6 +46,20 @@ int run_as_master(const campaign::RunOptions& options,
   const int code = as_master(transport, ranks_lost, work);
   if (ranks_lost) transport.abandon(code);
   return code;
+}
+
+int run_as_master(const campaign::RunOptions& options, const MasterWork& work) {
+  return run_on_ranks(options, [&](campaign::Transport& transport, bool& ranks_lost) {
+    try {
+      return work(transport, ranks_lost);
+    } catch (const StudyRunner::Stopped& stopped) {
+      fmt::print(stderr, "stopped by signal {}; the same command goes on where this one stopped\n",
+                 stopped.signal);
+      return stopped_by_signal + stopped.signal;
+    } catch (const std::invalid_argument& problem) {
+      throw BadInput(problem.what());
+    }
+  });
 }
 
 }  // namespace cpt::cli

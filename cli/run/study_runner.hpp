@@ -34,11 +34,13 @@ class StudyRunner {
   bool ranks_lost_ = false;
 };
 
+/// The master's part of a command: it returns the exit code and tells whether ranks were lost.
+using MasterWork = std::function<int(campaign::Transport& transport, bool& ranks_lost)>;
+
 /// Calls `work` with the transport of this process: the master's under MPI or alone. Other ranks serve it.
-/// `work` returns the exit code; StudyRunner::Stopped and std::invalid_argument thrown by it become codes and
-/// messages. `work` tells whether ranks were lost.
-[[nodiscard]] int run_as_master(
-    const campaign::RunOptions& options,
-    const std::function<int(campaign::Transport& transport, bool& ranks_lost)>& work);
+[[nodiscard]] int run_on_ranks(const campaign::RunOptions& options, const MasterWork& work);
+
+/// The same; StudyRunner::Stopped and std::invalid_argument thrown by `work` become codes and messages.
+[[nodiscard]] int run_as_master(const campaign::RunOptions& options, const MasterWork& work);
 
 }  // namespace cpt::cli
