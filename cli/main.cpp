@@ -19,6 +19,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/program/misspelt.hpp"
 #include "cli/program/version.hpp"
+#include "parameters/nearest_name.hpp"
 #include "results/files/error.hpp"
 #include "results/files/patience.hpp"
 #include "results/files/refusal.hpp"
@@ -69,7 +70,7 @@ std::vector<std::string> command_line(int argc, char** argv, const CLI::App& pro
   const std::string study = first + ".toml";
   const std::string_view near = std::filesystem::is_regular_file(study, ignored)
                                     ? std::string_view(study)
-                                    : solver::nearest_name(first, commands);
+                                    : parameters::nearest_name(first, commands);
   throw cli::BadInput(fmt::format("'{}' is neither a command nor a study file (NAME.toml){}", first,
                                   near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
 }

@@ -8,6 +8,7 @@
 #include "diagnosis/request_keys.hpp"
 #include "parameters/all_realizations.hpp"
 #include "parameters/fields.hpp"
+#include "parameters/nearest_name.hpp"
 #include "parameters/read_quantities.hpp"
 #include "recordings/csv.hpp"
 #include "solver/lengths.hpp"
@@ -84,7 +85,7 @@ class RequestReader {
     for (const solver::Mechanism& mechanism : solver::all_mechanisms()) names.push_back(mechanism.name);
     for (const Value& item : member->value.items) {
       const solver::Mechanism* mechanism = solver::find_mechanism(item.text);
-      const std::string_view near = solver::nearest_name(item.text, names);
+      const std::string_view near = parameters::nearest_name(item.text, names);
       if (mechanism == nullptr)
         errors_.add(item.place, "mechanisms", fmt::format("\"{}\" is not a mechanism", item.text),
                     near.empty() ? "`campaign list mechanisms` prints them"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parameters/nearest_name.hpp"
 #include "parameters/written_number.hpp"
 #include "solver/quantities.hpp"
 
@@ -59,7 +60,7 @@ bool refuse_unknown_keys(const Value& table, std::string_view prefix, std::span<
   for (const Member& member : table.members) {
     if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
     all_known = false;
-    const std::string_view near = solver::nearest_name(member.key, known);
+    const std::string_view near = nearest_name(member.key, known);
     errors.add(member.place, joined(prefix, member.key),
                fmt::format("unknown key; known are {}", listed(known)),
                near.empty() ? "" : fmt::format("did you mean {}?", near));
@@ -107,7 +108,7 @@ std::optional<std::string> name_field(const Value& table, std::string_view prefi
                                       ErrorList& errors) {
   std::optional<std::string> text = text_field(table, prefix, key, required, errors);
   if (!text || std::find(names.begin(), names.end(), *text) != names.end()) return text;
-  const std::string_view near = solver::nearest_name(*text, names);
+  const std::string_view near = nearest_name(*text, names);
   errors.add(table.find(key)->value.place, joined(prefix, key),
              fmt::format("\"{}\" is not one of {}", *text, listed(names)),
              near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));

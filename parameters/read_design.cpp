@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "parameters/designs/design.hpp"
+#include "parameters/nearest_name.hpp"
 #include "parameters/study_keys.hpp"
 
 namespace cpt::parameters {
@@ -102,7 +103,7 @@ class DesignReader {
       if (rows_sound_ || solver::find_quantity(name.text, setup_) == nullptr) {
         std::vector<std::string_view> names;
         for (const Row& r : rows_) names.push_back(r.quantity->name);
-        const std::string_view near = solver::nearest_name(name.text, names);
+        const std::string_view near = nearest_name(name.text, names);
         errors_.add(name.place, "design.parameters",
                     fmt::format("\"{}\" is no row of [parameters]", name.text),
                     near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));

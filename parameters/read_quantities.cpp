@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "parameters/nearest_name.hpp"
 #include "parameters/study_keys.hpp"
 
 namespace cpt::parameters {
@@ -50,7 +51,7 @@ std::optional<double> read_choice(const Value& value, const Quantity& quantity, 
   }
   const auto found = std::find(quantity.choices.begin(), quantity.choices.end(), value.text);
   if (found != quantity.choices.end()) return static_cast<double>(found - quantity.choices.begin());
-  const std::string_view near = solver::nearest_name(value.text, quantity.choices);
+  const std::string_view near = nearest_name(value.text, quantity.choices);
   errors.add(value.place, key, fmt::format("\"{}\" is not one of {}", value.text, listed(quantity.choices)),
              near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
   return std::nullopt;
@@ -93,7 +94,7 @@ bool is_group(std::string_view name, const solver::Setup& setup) {
 
 void refuse_unknown_quantity(std::string_view section_name, const std::string& name, Place place,
                              const solver::Setup& setup, ErrorList& errors) {
-  const std::string_view near = solver::nearest_quantity(name, setup);
+  const std::string_view near = nearest_quantity(name, setup);
   if (is_group(name, setup))
     return errors.add(place, joined(section_name, name), "is a group of quantities",
                       fmt::format("name one of them: {}.NAME", name));

@@ -12,6 +12,7 @@
 
 #include "parameters/all_realizations.hpp"
 #include "parameters/fields.hpp"
+#include "parameters/nearest_name.hpp"
 #include "parameters/read_quantities.hpp"
 #include "parameters/realization.hpp"
 #include "parameters/written_number.hpp"
@@ -104,7 +105,7 @@ class SamplesReader {
     const std::vector<std::string_view> known(averages.begin(), averages.end());
     const bool average = meaning.find("q_c") != meaning.npos;
     const std::string_view near =
-        average ? solver::nearest_name(meaning, known) : solver::nearest_quantity(meaning, study_.baseline);
+        average ? nearest_name(meaning, known) : nearest_quantity(meaning, study_.baseline);
     errors_.add(
         name.place, name.text,
         fmt::format("is neither a quantity nor an average of q_c in a window of the study ({})",
@@ -220,7 +221,7 @@ class SamplesReader {
       return;
     }
     if (field.text.empty()) return;
-    const std::string_view near = solver::nearest_name(field.text, statuses);
+    const std::string_view near = nearest_name(field.text, statuses);
     errors_.add(field.place, "status", fmt::format("\"{}\" is not one of {}", field.text, listed(statuses)),
                 near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
   }

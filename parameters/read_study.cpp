@@ -14,6 +14,7 @@
 #include "parameters/designs/design.hpp"
 #include "parameters/document.hpp"
 #include "parameters/fields.hpp"
+#include "parameters/nearest_name.hpp"
 #include "parameters/read_design.hpp"
 #include "parameters/read_quantities.hpp"
 #include "parameters/read_soils.hpp"
@@ -295,7 +296,7 @@ class StudyReader {
     std::vector<std::string_view> names;
     for (const Row& r : study_.rows) names.push_back(r.quantity->name);
     const std::string_view near =
-        item.kind == Value::Kind::text ? solver::nearest_name(item.text, names) : std::string_view();
+        item.kind == Value::Kind::text ? nearest_name(item.text, names) : std::string_view();
     if (row == study_.rows.end())
       errors_.add(item.place, "paired_repeats",
                   item.kind == Value::Kind::text

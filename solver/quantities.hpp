@@ -56,12 +56,6 @@ struct Quantity {
 [[nodiscard]] bool matters(const Quantity& quantity, const Setup& setup);
 /// "clay", "NorSand, Mohr-Coulomb", "" where it acts whatever the soil.
 [[nodiscard]] std::string acts_on_text(const Quantity& quantity);
-/// The name nearest to a misspelt one, for hints: a name without its group or unit, or with another unit,
-/// counts as near. "" if none is near.
-[[nodiscard]] std::string_view nearest_quantity(std::string_view name);
-[[nodiscard]] std::string_view nearest_quantity(std::string_view name, const Setup& setup);
-/// The same among any names, by edit distance; part of a name counts as near.
-[[nodiscard]] std::string_view nearest_name(std::string_view name, std::span<const std::string_view> names);
 
 /// "sand.e_min = 0.552"
 [[nodiscard]] std::string given(const Setup& setup, std::string_view name);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/common/study_argument.hpp"
+#include "parameters/nearest_name.hpp"
 #include "parameters/written_number.hpp"
 #include "solver/quantities.hpp"
 
@@ -16,7 +17,7 @@ double parse_value(const solver::Quantity& quantity, std::string_view text) {
   if (!quantity.choices.empty()) {
     const auto found = std::find(quantity.choices.begin(), quantity.choices.end(), text);
     if (found == quantity.choices.end()) {
-      const std::string_view near = solver::nearest_name(text, quantity.choices);
+      const std::string_view near = parameters::nearest_name(text, quantity.choices);
       throw BadInput(fmt::format("{} = {}: must be one of {}{}", quantity.name, text,
                                  fmt::join(quantity.choices, ", "),
                                  near.empty() ? "" : fmt::format("; did you mean {}?", near)));
@@ -45,7 +46,7 @@ void set_quantity(solver::Setup& setup, std::string_view setting, std::string_vi
   const std::string_view name = setting.substr(0, equals);
   const solver::Quantity* quantity = solver::find_quantity(name, setup);
   if (quantity == nullptr) {
-    const std::string_view near = solver::nearest_quantity(name, setup);
+    const std::string_view near = parameters::nearest_quantity(name, setup);
     throw BadInput(fmt::format("--set {}: there is no quantity {}{}", setting, name,
                                near.empty() ? "" : fmt::format("; did you mean {}?", near)));
   }

@@ -7,6 +7,7 @@
 #include "cli/common/input_kind.hpp"
 #include "cli/common/study_argument.hpp"
 #include "cli/exchange/export_format.hpp"
+#include "parameters/nearest_name.hpp"
 #include "parameters/written_number.hpp"
 #include "recordings/delimited.hpp"
 #include "results/ledger/provenance.hpp"
@@ -59,7 +60,7 @@ void refuse_strangers(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().stem().string();
     if (entry.path().extension() != ".csv" || std::ranges::find(known, name) != known.end()) continue;
-    const std::string_view near = solver::nearest_name(name, known);
+    const std::string_view near = parameters::nearest_name(name, known);
     throw BadInput(
         fmt::format("{}: is no table of an export{}", entry.path().string(),
                     near.empty() ? "; put it elsewhere" : fmt::format("; did you mean {}.csv?", near)));

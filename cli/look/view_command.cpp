@@ -13,6 +13,7 @@
 #include "cli/common/number_list.hpp"
 #include "cli/common/study_argument.hpp"
 #include "cli/exit_codes.hpp"
+#include "parameters/nearest_name.hpp"
 #include "reports/view/write_view.hpp"
 #include "solver/quantities.hpp"
 
@@ -36,7 +37,7 @@ const ViewQuantity& find_quantity(std::string_view option, const std::string& na
   if (const ViewQuantity* found = reports::view::find_view_quantity(name)) return *found;
   std::vector<std::string_view> names;
   for (const ViewQuantity& quantity : reports::view::view_quantities()) names.push_back(quantity.name);
-  const std::string_view near = solver::nearest_name(name, names);
+  const std::string_view near = parameters::nearest_name(name, names);
   throw BadInput(fmt::format("{} {}: no such quantity{}; there are {}", option, name,
                              near.empty() ? "" : fmt::format(", did you mean {}?", near),
                              fmt::join(names, ", ")));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "parameters/nearest_name.hpp"
 #include "solver/quantities.hpp"
 
 namespace cpt::cli {
@@ -13,7 +14,7 @@ namespace {
 
 std::string nearest(std::string_view word, const std::vector<std::string>& names) {
   const std::vector<std::string_view> known(names.begin(), names.end());
-  const std::string_view near = solver::nearest_name(word, known);
+  const std::string_view near = parameters::nearest_name(word, known);
   return near.empty() || near == word ? "" : fmt::format("did you mean {}?", near);
 }
 

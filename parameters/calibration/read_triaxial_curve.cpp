@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "parameters/nearest_name.hpp"
 #include "parameters/written_number.hpp"
 #include "solver/quantities.hpp"
 
@@ -102,7 +103,7 @@ class CurveReader {
     const int column = static_cast<int>(line.find('=')) + 2;
     // A fact under a name that is nearly one of these would be lost; others are remarks of their own.
     if (std::ranges::find(facts, key) == facts.end() && number(text.substr(0, text.find(' '))))
-      if (const std::string_view near = solver::nearest_name(key, facts); !near.empty())
+      if (const std::string_view near = parameters::nearest_name(key, facts); !near.empty())
         problem(
             static_cast<int>(line.find(key)) + 1,
             fmt::format("{} = {} is not read; did you mean {}? Without = it is a remark", key, text, near));

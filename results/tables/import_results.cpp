@@ -14,6 +14,7 @@
 
 #include "parameters/all_realizations.hpp"
 #include "parameters/fields.hpp"
+#include "parameters/nearest_name.hpp"
 #include "parameters/written_number.hpp"
 #include "results/files/atomic_file.hpp"
 #include "results/files/database.hpp"
@@ -139,7 +140,7 @@ class TableImport {
     for (const FieldTable& table : tables_) {
       if (!seen.insert(table.name).second) problem(table.file, {}, table.name, "this table is there twice");
       if (std::ranges::find(known, table.name) != known.end()) continue;
-      const std::string_view near = solver::nearest_name(table.name, known);
+      const std::string_view near = parameters::nearest_name(table.name, known);
       problem(table.file, {}, table.name, "is no table of an export",
               near.empty() ? "" : fmt::format("did you mean {}?", near));
     }
@@ -177,7 +178,7 @@ class TableImport {
       at[name.text] = i;
       if (std::find(known.begin(), known.end(), name.text) != known.end()) continue;
       good = false;
-      const std::string_view near = solver::nearest_name(name.text, known);
+      const std::string_view near = parameters::nearest_name(name.text, known);
       problem(table.file, name.place, name.text,
               fmt::format("is no column of {}; there are {}", definition.name, fmt::join(known, ", ")),
               near.empty() ? "" : fmt::format("did you mean {}?", near));

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "parameters/nearest_name.hpp"
 #include "results/files/database.hpp"
 #include "results/files/file_lock.hpp"
 #include "results/ledger/schema.hpp"
@@ -66,7 +67,7 @@ std::string nearest_in(const Database& database, std::string_view complaint) {
     Statement rows = database.prepare(names_of);
     while (rows.step()) names.push_back(rows.text(0));
     const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string_view near = solver::nearest_name(name, known);
+    const std::string_view near = parameters::nearest_name(name, known);
     return near.empty() ? "; docs/schema.md has all tables and columns"
                         : fmt::format("; did you mean {}?", near);
   };
@@ -111,7 +112,7 @@ Table query(const Database& database, std::string_view name) {
       return rows_of(database.prepare(said_of_now(question_statements[i], database)));
   std::vector<std::string_view> known;
   for (const NamedQuery& question : questions) known.push_back(question.name);
-  const std::string_view near = solver::nearest_name(name, known);
+  const std::string_view near = parameters::nearest_name(name, known);
   throw BadQuery(fmt::format("unknown query '{}'; there are: {}{}", name, fmt::join(known, " "),
                              near.empty() ? "" : fmt::format("; did you mean {}?", near)));
 }

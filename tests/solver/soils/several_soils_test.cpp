@@ -37,7 +37,6 @@ TEST(SeveralSoils, HaveQuantitiesOfTheirOwn) {
   EXPECT_EQ(find_quantity("dense.H", setup), find_quantity("dense.H", two_sands_and_a_clay()));
   EXPECT_EQ(find_quantity("sand.H", setup), nullptr);
   EXPECT_EQ(find_quantity("dense.s_u_kPa", setup), nullptr);
-  EXPECT_EQ(nearest_quantity("dense.h", setup), "dense.H");
   EXPECT_EQ(find_quantity("sand.H", solver::Setup{}), find_quantity("sand.H"));
 }
 

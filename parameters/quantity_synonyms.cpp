@@ -1,9 +1,9 @@
-#include "solver/quantity_synonyms.hpp"
+#include "parameters/quantity_synonyms.hpp"
 
 #include <array>
 #include <cctype>
 
-namespace cpt::solver {
+namespace cpt::parameters {
 
 std::span<const Synonym> quantity_synonyms() {
   static constexpr auto list = std::to_array<Synonym>({
@@ -105,4 +105,4 @@ std::string squeezed(std::string_view name) {
   return left;
 }
 
-}  // namespace cpt::solver
+}  // namespace cpt::parameters

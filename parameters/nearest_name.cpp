@@ -1,16 +1,20 @@
-// Hints for misspelt names.
+#include "parameters/nearest_name.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "parameters/quantity_synonyms.hpp"
 #include "solver/quantities.hpp"
-#include "solver/quantity_synonyms.hpp"
 
-namespace cpt::solver {
+namespace cpt::parameters {
 namespace {
+
+using solver::quantities_of, solver::Quantity, solver::Setup;
 
 // Distances are in half edits: 1 for another case, 2 for a letter inserted, left out, replaced or swapped.
 using HalfEdits = std::size_t;
@@ -122,7 +126,7 @@ std::string_view quantity_called(std::string_view name, const Setup& setup) {
       return quantity->name;
   for (const Synonym& synonym : quantity_synonyms())
     if (synonym.word == word)
-      if (const Quantity* quantity = find_quantity(synonym.quantity, setup))
+      if (const Quantity* quantity = solver::find_quantity(synonym.quantity, setup))
         if (take(quantity->name)) return quantity->name;
   return elsewhere;
 }
@@ -176,4 +180,4 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
                  }));
 }
 
-}  // namespace cpt::solver
+}  // namespace cpt::parameters

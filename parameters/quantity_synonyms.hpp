@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace cpt::solver {
+namespace cpt::parameters {
 
 struct Synonym {
   std::string_view word;      ///< squeezed
@@ -18,4 +18,4 @@ struct Synonym {
 /// Letters and digits alone, in lower case: "relativedensity" of "Relative_density".
 [[nodiscard]] std::string squeezed(std::string_view name);
 
-}  // namespace cpt::solver
+}  // namespace cpt::parameters
