@@ -25,11 +25,10 @@ void exchange(Archive& archive, MaybeConst<ProgressReport> auto& report) {
 
 template <class Archive>
 void exchange(Archive& archive, MaybeConst<OutcomeReport> auto& report) {
-  static_assert(sizeof(solver::DepthProfile) == 3 * sizeof(std::vector<double>), "send the new profile too");
   auto& outcome = report.outcome;
-  archive(report.realization, outcome.status, outcome.reason, outcome.profile.depth, outcome.profile.q_c,
-          outcome.profile.f_s, outcome.audit, outcome.steps, outcome.material_points, outcome.wall_seconds,
-          report.interrupted);
+  archive(report.realization, outcome.status, outcome.reason, outcome.profile.depth, outcome.audit,
+          outcome.steps, outcome.material_points, outcome.wall_seconds, report.interrupted);
+  for (const solver::Channel& channel : solver::channels()) archive(outcome.profile.*channel.values);
 }
 
 template <class Archive>
@@ -90,8 +89,7 @@ void check(const Message& message) {
   const auto& profile = report->outcome.profile;
   if (status < 0 || status > static_cast<int>(solver::Status::rank_lost))
     throw MalformedMessage("outcome with an unknown status");
-  if (profile.q_c.size() != profile.depth.size() || profile.f_s.size() != profile.depth.size())
-    throw MalformedMessage("outcome with a ragged depth profile");
+  if (!solver::is_even(profile)) throw MalformedMessage("outcome with a ragged depth profile");
 }
 
 template <std::size_t I = 0>

@@ -98,7 +98,9 @@ bool usable(const solver::DepthProfile& profile) {
   const auto finite = [](const std::vector<double>& values) {
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
   };
-  return !profile.depth.empty() && finite(profile.depth) && finite(profile.q_c) && finite(profile.f_s);
+  return !profile.depth.empty() && finite(profile.depth) &&
+         std::ranges::all_of(solver::channels(),
+                             [&](const solver::Channel& channel) { return finite(profile.*channel.values); });
 }
 
 void close_descriptor(int& descriptor) {

@@ -19,7 +19,7 @@ using parameters::Side;
 // The finished curves of one sounding on its grid.
 class Curves {
  public:
-  Curves(const SoundingData& data, const SoundingGrid& grid, Measured measured)
+  Curves(const SoundingData& data, const SoundingGrid& grid, const solver::Channel& measured)
       : data_(data), grid_(grid), measured_(measured) {
     realizations_ = parameters::all_realizations(data.study.study);
   }
@@ -68,12 +68,12 @@ class Curves {
     return nullptr;
   }
   [[nodiscard]] VectorXd means(const solver::DepthProfile& profile) const {
-    return log_cell_means(grid_, profile.depth, measured_ == Measured::q_c ? profile.q_c : profile.f_s);
+    return log_cell_means(grid_, profile.depth, profile.*measured_.values);
   }
 
   const SoundingData& data_;
   SoundingGrid grid_;
-  Measured measured_;
+  const solver::Channel& measured_;
   std::vector<parameters::Realization> realizations_;
 };
 
@@ -120,7 +120,8 @@ void check_pair(const SoundingRequest& sounding, const VectorXd& recorded, const
 
 class Assembler {
  public:
-  Assembler(const Request& request, const std::vector<SoundingData>& soundings, Measured measured)
+  Assembler(const Request& request, const std::vector<SoundingData>& soundings,
+            const solver::Channel& measured)
       : request_(request), soundings_(soundings), measured_(measured) {}
 
   Assembled make() {
@@ -356,7 +357,7 @@ class Assembler {
 
   const Request& request_;
   const std::vector<SoundingData>& soundings_;
-  Measured measured_;
+  const solver::Channel& measured_;
   std::vector<SoundingGrid> grids_;
   std::vector<Curves> curves_;
   std::optional<ResponseSurface> surface_;  // of the soil's parameters
@@ -402,14 +403,13 @@ void check_recording(const SoundingRequest& sounding, const recordings::Recordin
 }
 
 Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings) {
-  return Assembler(request, soundings, Measured::q_c).make();
+  return Assembler(request, soundings, solver::channels().front()).make();
 }
 
 Assembled assemble_unmeasured(const Request& request, const std::vector<SoundingData>& soundings,
-                              Measured measured, const NoiseModel& measurement) {
-  constexpr double friction_over_tip = 3.0;
+                              const solver::Channel& measured, const NoiseModel& measurement) {
   NoiseModel noise = measurement;
-  if (measured == Measured::f_s) noise.deviation *= friction_over_tip;
+  noise.deviation *= measured.deviation_over_q_c;
   return Assembler(request, soundings, measured).make_unmeasured(noise);
 }
 

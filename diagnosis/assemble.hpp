@@ -8,6 +8,7 @@
 #include "diagnosis/diagnose.hpp"
 #include "recordings/recording.hpp"
 #include "results/ledger/snapshot.hpp"
+#include "solver/channels.hpp"
 
 namespace cpt::diagnosis {
 
@@ -39,14 +40,11 @@ void check_recording(const SoundingRequest& sounding, const recordings::Recordin
 /// apart, a baseline that failed.
 [[nodiscard]] Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings);
 
-/// What a push tells.
-enum class Measured { q_c, f_s };
-
 /// The problem as it would be of pushes not made yet, or of what was not recorded of those that were: the
-/// baseline stands for the recording. f_s is known three times less well than q_c, as the classes of ISO
-/// 22476-1 (2012), Table 2, have it (q_c 5 %, f_s 15 %). Throws as assemble.
+/// baseline stands for the recording. The channel's noise is that of q_c times what the list of channels
+/// says. Throws as assemble.
 [[nodiscard]] Assembled assemble_unmeasured(const Request& request,
-                                            const std::vector<SoundingData>& soundings, Measured measured,
-                                            const NoiseModel& measurement);
+                                            const std::vector<SoundingData>& soundings,
+                                            const solver::Channel& measured, const NoiseModel& measurement);
 
 }  // namespace cpt::diagnosis

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "results/ledger/ledger_tables.hpp"
 #include "results/ledger/model_remarks.hpp"
+#include "solver/channels.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -29,11 +31,9 @@ void add_row(Table& table, const Cells&... cells) {
 }
 
 Table campaign_table(const Snapshot& s) {
-  const results::CampaignRow& c = s.campaign;
-  return {{"name", "title", "profile", "preset", "program_version", "solver_version", "created", "study_text",
-           "baseline_setup"},
-          {{c.name, c.title, c.profile, c.preset, c.program_version, c.solver_version, c.created,
-            c.study_text, c.baseline_setup}}};
+  return results::table_with(std::vector{s.campaign}, results::campaign_table(),
+                             {"name", "title", "profile", "preset", "program_version", "solver_version",
+                              "created", "study_text", "baseline_setup"});
 }
 
 Table parameter_table(const Snapshot& s) {
@@ -44,9 +44,7 @@ Table parameter_table(const Snapshot& s) {
 }
 
 Table import_table(const Snapshot& s) {
-  Table table{{"file", "sha256", "imported"}, {}};
-  for (const auto& i : s.imports) add_row(table, i.file, i.sha256, i.imported);
-  return table;
+  return results::table_with(s.imports, results::import_table(), {"file", "sha256", "imported"});
 }
 
 Table window_table(const Snapshot& s) {
@@ -57,10 +55,8 @@ Table window_table(const Snapshot& s) {
 }
 
 Table repeat_noise_table(const Snapshot& s) {
-  Table table{{"window", "runs", "q_c_mean_kPa", "q_c_deviation_kPa", "si_half_width"}, {}};
-  for (const auto& r : s.repeat_noise)
-    table.rows.push_back({r.window, whole(r.runs), r.q_c_mean_kPa, r.q_c_deviation_kPa, r.si_half_width});
-  return table;
+  return results::table_with(s.repeat_noise, results::repeat_noise_table(),
+                             {"window", "runs", "q_c_mean_kPa", "q_c_deviation_kPa", "si_half_width"});
 }
 
 }  // namespace
@@ -93,19 +89,24 @@ Table realization_table(const Snapshot& s) {
 }
 
 Table window_mean_table(const Snapshot& s) {
-  Table table{{"realization", "window", "from_m", "to_m", "q_c_mean_kPa", "q_c_min_kPa", "q_c_max_kPa"}, {}};
-  for (const auto& m : s.window_means)
-    add_row(table, whole(m.realization), m.window, m.from_m, m.to_m, m.q_c_mean_kPa,
-            number_or_empty(m.q_c_min_kPa), number_or_empty(m.q_c_max_kPa));
-  return table;
+  std::vector<std::string> names = {"realization",  "window",      "from_m",     "to_m",
+                                    "q_c_mean_kPa", "q_c_min_kPa", "q_c_max_kPa"};
+  for (const solver::Channel& channel : solver::channels().subspan(1))
+    names.push_back(in_unit(channel, "mean_kPa"));
+  return results::table_with(s.window_means, results::window_mean_table(), {names.begin(), names.end()});
 }
 
 Table curve_table(const Snapshot& s) {
-  Table table{{"realization", "depth_m", "q_c_kPa", "f_s_kPa"}, {}};
+  Table table{{"realization", "depth_m"}, {}};
+  for (const solver::Channel& channel : solver::channels()) table.columns.push_back(in_unit(channel, "kPa"));
   for (const auto& curve : s.curves)
-    for (std::size_t i = 0; i < curve.profile.depth.size(); ++i)
-      add_row(table, whole(curve.realization), number_or_empty(curve.profile.depth[i]),
-              number_or_empty(curve.profile.q_c[i] / 1.0e3), number_or_empty(curve.profile.f_s[i] / 1.0e3));
+    for (std::size_t i = 0; i < curve.profile.depth.size(); ++i) {
+      add_row(table, whole(curve.realization), number_or_empty(curve.profile.depth[i]));
+      for (const solver::Channel& channel : solver::channels()) {
+        const std::vector<double>& values = curve.profile.*channel.values;
+        table.rows.back().push_back(values.empty() ? Cell() : number_or_empty(values[i] / 1.0e3));
+      }
+    }
   return table;
 }
 

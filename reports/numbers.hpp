@@ -12,7 +12,7 @@ namespace cpt::reports {
 [[nodiscard]] results::Table sensitivity_table(const results::Snapshot& campaign);
 [[nodiscard]] results::Table realization_table(const results::Snapshot& campaign);
 [[nodiscard]] results::Table window_mean_table(const results::Snapshot& campaign);
-/// One line a depth bin: realization, depth_m, q_c_kPa, f_s_kPa.
+/// One line a depth bin: realization, depth_m and all channels in kPa.
 [[nodiscard]] results::Table curve_table(const results::Snapshot& campaign);
 
 /// campaign, imports, parameters, windows, realizations, window_means, repeat_noise, sensitivity and effects

@@ -11,6 +11,7 @@
 #include "reports/numbers.hpp"
 #include "results/ledger/interrupted.hpp"
 #include "results/push/push_start.hpp"
+#include "solver/channels.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -80,11 +81,21 @@ Json page_data(const Snapshot& s, const PageContext& context) {
   for (const results::LayerRow& layer : s.layers)
     data["layers"].push_back({{"top_m", layer.top_m}, {"bottom_m", layer.bottom_m}, {"soil", layer.soil}});
   data["curves"] = Json::array();
-  for (const results::CurveRow& curve : s.curves)
-    data["curves"].push_back({{"realization", curve.realization},
-                              {"depth_m", curve.profile.depth},
-                              {"q_c_kPa", in_kPa(curve.profile.q_c)},
-                              {"start", results::bins_of_start(curve.profile)}});
+  for (const results::CurveRow& curve : s.curves) {
+    Json& drawn = data["curves"].emplace_back();
+    drawn = {{"realization", curve.realization},
+             {"depth_m", curve.profile.depth},
+             {"start", results::bins_of_start(curve.profile)}};
+    for (const solver::Channel& channel : solver::channels())
+      if (const std::vector<double>& values = curve.profile.*channel.values; !values.empty())
+        drawn[in_unit(channel, "kPa")] = in_kPa(values);
+  }
+  data["channels"] = Json::array();
+  for (const solver::Channel& channel : solver::channels())
+    if (std::ranges::any_of(s.curves,
+                            [&](const auto& curve) { return !(curve.profile.*channel.values).empty(); }))
+      data["channels"].push_back(
+          {{"name", channel.name}, {"symbol", label(symbolic(channel.symbol))}, {"title", channel.title}});
   data["diagnoses"] = answers(context.diagnoses);
   data["state"] = state_of(s);
   data["notes"] = context.notes;

@@ -1,6 +1,7 @@
 #include "solver/chamber.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/initial_state.hpp"
 
@@ -11,6 +12,7 @@ ChamberBoundary::ChamberBoundary(const Setup& setup, const Mesh& mesh, const Lef
       left_(left),
       free_wall_(setup.chamber.wall == Wall::flexible || setup.mechanisms.compliant_wall.on()),
       friction_(setup.mechanisms.wall_friction.on()),
+      wall_push_(mesh.wall_nodes().size()),
       displacement_(setup.chamber.soil_height) {
   z_.reserve(mesh.wall_nodes().size());
   v_r_.reserve(mesh.wall_nodes().size());
@@ -20,6 +22,7 @@ ChamberBoundary::ChamberBoundary(const Setup& setup, const Mesh& mesh, const Lef
 // surcharge's side stays rigid.
 void ChamberBoundary::apply_wall_stress(Model& model) {
   wall_force_ = 0.0;
+  std::ranges::fill(wall_push_, 0.0);
   if (!free_wall_ && !friction_) return;
   const CompliantWall& compliant = setup_.mechanisms.compliant_wall;
   const Mesh& mesh = model.mesh();
@@ -38,6 +41,8 @@ void ChamberBoundary::apply_wall_stress(Model& model) {
         const double force = stress * R * (z1 - z0) / 2.0;
         model.nodes().f_r[wall[k]] -= (1.0 - N1) * force;
         model.nodes().f_r[wall[k + 1]] -= N1 * force;
+        wall_push_[k] += (1.0 - N1) * force;
+        wall_push_[k + 1] += N1 * force;
       }
       if (friction_) {
         const double force = wall_shear(setup_, left_, z) * R * (z1 - z0) / 2.0;
@@ -53,8 +58,13 @@ double ChamberBoundary::fix_boundaries(Model& model, double dt) {
   const Mesh& mesh = model.mesh();
   const Nodes& nodes = model.nodes();
   for (const std::int32_t n : mesh.axis_nodes()) model.set_velocity(n, 0.0, nodes.v_z[n]);
-  for (const std::int32_t n : mesh.wall_nodes())
-    if (!free_wall_ || mesh.node_z(n) > 1e-9) model.set_velocity(n, 0.0, nodes.v_z[n]);
+  const std::vector<std::int32_t>& wall = mesh.wall_nodes();
+  for (std::size_t k = 0; k < wall.size(); ++k) {
+    const std::int32_t n = wall[k];
+    if (free_wall_ && mesh.node_z(n) <= 1e-9) continue;
+    wall_push_[k] = nodes.inertia[n] * nodes.v_r[n] / dt;
+    model.set_velocity(n, 0.0, nodes.v_z[n]);
+  }
   double impulse = wall_force_ * dt;
   for (const std::int32_t n : mesh.bottom_nodes()) {
     impulse -= nodes.inertia[n] * nodes.v_z[n];
@@ -62,6 +72,21 @@ double ChamberBoundary::fix_boundaries(Model& model, double dt) {
   }
   if (setup_.mechanisms.compliant_wall.on()) follow_wall(model, dt);
   return impulse;
+}
+
+double ChamberBoundary::wall_stress(const Mesh& mesh, double depth) const {
+  const std::vector<std::int32_t>& wall = mesh.wall_nodes();
+  const double reach = setup_.penetrometer.diameter;
+  double push = 0.0, height = 0.0;
+  for (std::size_t k = 0; k < wall.size(); ++k) {
+    const double z = mesh.node_z(wall[k]);
+    if (std::abs(z + depth) > reach) continue;
+    push += wall_push_[k];
+    const double below = k > 0 ? mesh.node_z(wall[k - 1]) : z;
+    const double above = k + 1 < wall.size() ? mesh.node_z(wall[k + 1]) : z;
+    height += 0.5 * (above - below);
+  }
+  return height > 0.0 ? push / (setup_.chamber.radius * height) : 0.0;
 }
 
 void ChamberBoundary::follow_wall(const Model& model, double dt) {

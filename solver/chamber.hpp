@@ -18,6 +18,9 @@ class ChamberBoundary {
   /// Fixes axis and rigid wall in r, and the bottom in z. After `accelerate`. Returns the vertical impulse of
   /// bottom and wall on the soil [N s/rad].
   double fix_boundaries(Model& model, double dt);
+  /// Mean radial stress [Pa] of the last step on the wall within one cone diameter above and below a depth
+  /// [m]; compression-positive. After `fix_boundaries`.
+  [[nodiscard]] double wall_stress(const Mesh& mesh, double depth) const;
 
   template <class Archive>
   void exchange(Archive& archive) {
@@ -30,7 +33,8 @@ class ChamberBoundary {
   const Setup& setup_;
   LeftBehind left_;
   bool free_wall_, friction_;
-  double wall_force_ = 0.0;  // [N/rad] upward, of this step
+  double wall_force_ = 0.0;        // [N/rad] upward, of this step
+  std::vector<double> wall_push_;  // [N/rad] of the soil on each wall node, of this step
   WallDisplacement displacement_;
   std::vector<double> z_, v_r_;  // of the wall's nodes in the soil
 };

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <exception>
-#include <limits>
+#include <functional>
 #include <new>
 
 #include "solver/actual_setup.hpp"
@@ -16,6 +15,7 @@
 #include "solver/mechanisms/reading.hpp"
 #include "solver/model.hpp"
 #include "solver/penetrometer.hpp"
+#include "solver/push_watch.hpp"
 #include "solver/quantities.hpp"
 #include "solver/recorder.hpp"
 #include "solver/soils/elastic.hpp"
@@ -23,14 +23,7 @@
 namespace cpt::solver {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int steps_between_checks = 100;
-constexpr int steps_between_clock_looks = 8;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 SoilModels make_soils(const Setup& setup) {
   SoilModels soils;
@@ -107,7 +100,7 @@ struct Before {
 // Goes on from execution.resume, if there is one.
 Outcome push(const Setup& setup, Before before, double nominal_area, Observer& observer,
              const Execution& execution) {
-  const Clock::time_point start = Clock::now();
+  PushWatch watch(observer, execution, setup.penetrometer.final_depth, before.wall_seconds);
   Model model = make_model(setup, before.left, execution.threads);
   ChamberBoundary chamber(setup, model.mesh(), before.left);
   const PenetrometerContact penetrometer(setup);
@@ -120,10 +113,6 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
   const double speed = setup.penetrometer.speed, final_depth = setup.penetrometer.final_depth;
   const double first_depth = model.mesh().tip_depth();
   double depth = first_depth, first_step = 0.0;
-  double last_report = -std::numeric_limits<double>::infinity();  // the first one is due at once
-  double earlier_seconds =
-      before.wall_seconds;  // of the pushes before, and of this one before it was resumed
-  const auto wall_seconds = [&] { return earlier_seconds + seconds_since(start); };
   const auto exchange = [&](auto& archive) {
     before.exchange(archive);
     model.exchange(archive);
@@ -134,16 +123,18 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
     archive("push.steps", outcome.steps);
     archive("push.first_step", first_step);
   };
-  const auto state = [&] {
+  const std::function<PushState()> state = [&] {
     StateWriter writer;
     exchange(writer);
-    writer("push.wall_seconds", wall_seconds());
+    writer("push.wall_seconds", watch.wall_seconds());
     return writer.take();
   };
   if (execution.resume != nullptr) {
     StateReader reader(*execution.resume);
     exchange(reader);
-    reader("push.wall_seconds", earlier_seconds);
+    double seconds = 0.0;
+    reader("push.wall_seconds", seconds);
+    watch.go_on_from(seconds);
   }
 
   double next_look = observer.next_look();
@@ -170,7 +161,7 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
     model.mesh().move_tip_to(depth + speed * dt);
     model.move_points(dt);
 
-    recorder.add(depth + 0.5 * speed * dt, load, dt);
+    recorder.add(depth + 0.5 * speed * dt, {load, chamber.wall_stress(model.mesh(), depth)}, dt);
     auditor.add_step(model, load, bottom_impulse, speed, dt);
     depth += speed * dt;
     ++outcome.steps;
@@ -178,19 +169,7 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
 
     if (outcome.steps % steps_between_checks == 0)
       outcome.reason = auditor.check(model, depth - first_depth, outcome.status);
-    if (outcome.steps % steps_between_clock_looks == 0 && outcome.status == Status::completed) {
-      const double now = wall_seconds();
-      if (now > execution.wall_limit_seconds) {
-        outcome.status = Status::time_limit;
-        outcome.reason = fmt::format("wall time limit of {:.0f} s reached at {:.1f} mm depth",
-                                     execution.wall_limit_seconds, depth * 1e3);
-      } else if (now - last_report > 0.1) {
-        last_report = now;
-        observer.progress({depth, final_depth, outcome.steps, outcome.material_points, now});
-        if (observer.stop_requested(outcome.reason)) outcome.status = Status::time_limit;
-        if (observer.state_wanted()) observer.keep_state(state());
-      }
-    }
+    watch.after_step(depth, outcome, state);
   }
 
   outcome.profile = as_recorded(recorder.profile(), setup);
@@ -200,7 +179,7 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
       outcome.status = Status::did_not_converge;
       outcome.reason = "the tip resistance became non-finite";
     }
-  outcome.wall_seconds = wall_seconds();
+  outcome.wall_seconds = watch.wall_seconds();
   return outcome;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/channels.hpp"
 #include "solver/push_state.hpp"
 #include "solver/setup.hpp"
 
@@ -25,13 +26,6 @@ enum class Status {
   rank_lost
 };
 [[nodiscard]] std::string_view to_string(Status status);
-
-/// Depth profile of the push, one row a depth bin. All arrays have the same length.
-struct DepthProfile {
-  std::vector<double> depth;  // [m] centre of the bin, depth of the tip below the soil's top
-  std::vector<double> q_c;    // [Pa] cone tip resistance, compression-positive
-  std::vector<double> f_s;    // [Pa] sleeve friction, positive when the soil pushes the sleeve upward
-};
 
 /// What the run conserved and how it behaved (solver/audit.hpp says how each is computed).
 struct Audit {

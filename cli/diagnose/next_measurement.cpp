@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+
+#include "solver/channels.hpp"
 
 namespace cpt::cli {
 
@@ -24,7 +27,8 @@ std::vector<NextMeasurement> next_measurements_of(StudyRunner& runner, const Req
                                                   std::vector<std::string>& remarks) {
   if (mechanisms_in_set(diagnosis).size() < 2) return {};
   std::vector<Observation> candidates;
-  const auto add = [&](const std::string& name, const std::vector<SoundingData>& pushes, Measured measured) {
+  const auto add = [&](const std::string& name, const std::vector<SoundingData>& pushes,
+                       const solver::Channel& measured) {
     try {
       const Assembled made = assemble_unmeasured(asked.request, pushes, measured, diagnosis.measurement);
       if (same_mechanisms(made, assembled))
@@ -35,7 +39,9 @@ std::vector<NextMeasurement> next_measurements_of(StudyRunner& runner, const Req
       remarks.push_back(fmt::format("{} is not ranked as next measurement: {}", name, problem.what()));
     }
   };
-  add("sleeve friction of the same push", soundings, Measured::f_s);
+  for (const solver::Channel& channel : solver::channels().subspan(1))
+    if (std::isfinite(channel.deviation_over_q_c))
+      add(std::string(channel.title) + " of the same push", soundings, channel);
   for (const SoundingRequest& candidate : asked.request.candidates) {
     SoundingData data{candidate,
                       sounding_study(asked.study, candidate, asked.request.mechanisms, asked.request.repeats,
@@ -43,7 +49,7 @@ std::vector<NextMeasurement> next_measurements_of(StudyRunner& runner, const Req
                       {},
                       {}};
     data.campaign = runner.run(data.study.study, asked.study.database);
-    add(candidate.name, {data}, Measured::q_c);
+    add(candidate.name, {data}, solver::channels().front());
   }
   return rank_next_measurements(observation_of("recorded", assembled.problem), diagnosis, candidates);
 }

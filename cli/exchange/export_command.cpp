@@ -7,7 +7,6 @@
 #include "cli/command.hpp"
 #include "cli/common/ledger_argument.hpp"
 #include "cli/common/study_argument.hpp"
-#include "cli/exchange/export_format.hpp"
 #include "cli/exit_codes.hpp"
 #include "results/files/atomic_file.hpp"
 #include "results/ledger/schema.hpp"
@@ -55,7 +54,7 @@ int export_campaign(const ExportArguments& arguments) {
   if (arguments.format == "csv")
     write_folder(to, results::campaign_tables(ledger.database));
   else if (arguments.format == "json")
-    write_text(to, results::json_document(export_format, results::schema_version,
+    write_text(to, results::json_document("campaign export", results::schema_version,
                                           results::campaign_tables(ledger.database)));
   else
     write_text(to, results::dakota_table(results::read_snapshot(ledger)));
@@ -82,8 +81,8 @@ void add_export(CLI::App& program, Action& action) {
   command->footer(
       R"(The tables are those of docs/schema.md. samples.csv is the one to begin with: a row a realization, failed ones
 too, a column for each input that varies and for each average of q_c. curve.csv has all depths. --format dakota
-is samples in Dakota's annotated tabular format, NaN for what failed. Numbers read back to the same bits;
-campaign import makes a database of them again. Works at any time, also while the campaign runs.
+is samples in Dakota's annotated tabular format, NaN for what failed. Numbers read back to the same bits.
+Works at any time, also while the campaign runs. To hand a whole campaign on, copy its database: it is one file.
 
 Examples:
   campaign export sens.toml

@@ -55,16 +55,6 @@ void tell(const results::Remarks& remarks, const std::filesystem::path& database
   for (const std::string& remark : remarks) fmt::print("{}\n", remark);
 }
 
-int import_export(const ImportArguments& arguments) {
-  if (!arguments.study.empty() || !arguments.columns.empty() || !arguments.ignored.empty())
-    throw BadInput(
-        fmt::format("{} is an export, which has its study within: without --study, --column and --ignore",
-                    arguments.source.string()));
-  const TableFiles read = read_export(arguments.source);
-  tell(sound(results::import_tables(read.tables, read.files, arguments.to)), arguments.to);
-  return all_well;
-}
-
 // A study that also runs the samples.
 int make_study(const ImportArguments& arguments, const StudyFile& study,
                const std::vector<parameters::Sample>& samples) {
@@ -84,12 +74,10 @@ int import_table(const ImportArguments& arguments) {
                     "windows q_c is averaged",
                     arguments.source.string()));
   const StudyFile study = read_study_file(arguments.study);
-  const TableFiles read = read_table(arguments.source);
-  const auto samples =
-      sound(parameters::read_samples(read.tables.front(), study.study, columns_of(arguments)));
+  const TableFile read = read_table(arguments.source);
+  const auto samples = sound(parameters::read_samples(read.table, study.study, columns_of(arguments)));
   if (arguments.to.extension() == ".toml") return make_study(arguments, study, samples);
-  tell(results::import_samples(study.study, study.text, samples, read.files.front(), arguments.to),
-       arguments.to);
+  tell(results::import_samples(study.study, study.text, samples, read.file, arguments.to), arguments.to);
   return all_well;
 }
 
@@ -97,12 +85,15 @@ int import(const ImportArguments& arguments) {
   std::error_code ignored;
   if (std::filesystem::exists(arguments.to, ignored))
     throw BadInput(fmt::format("--to {}: exists; name a new file", arguments.to.string()));
-  const bool exported = is_export(arguments.source);
+  if (std::filesystem::is_directory(arguments.source, ignored) || arguments.source.extension() == ".json")
+    throw BadInput(
+        fmt::format("{}: an export is not read back; copy its database, NAME.sqlite, which has all of it",
+                    arguments.source.string()));
   const std::string ending = arguments.to.extension();
-  if (ending != ".sqlite" && (exported || ending != ".toml"))
-    throw BadInput(fmt::format("--to {}: must end in {}", arguments.to.string(),
-                               exported ? ".sqlite" : ".sqlite (results) or .toml (points to run)"));
-  return exported ? import_export(arguments) : import_table(arguments);
+  if (ending != ".sqlite" && ending != ".toml")
+    throw BadInput(fmt::format("--to {}: must end in .sqlite (results) or .toml (points to run)",
+                               arguments.to.string()));
+  return import_table(arguments);
 }
 
 }  // namespace
@@ -113,7 +104,7 @@ void add_import(CLI::App& program, Action& action) {
       "import", "Make a database of results from elsewhere, or a study of points to run");
   command
       ->add_option("SOURCE", arguments->source,
-                   "Folder or .json that campaign export wrote; or a table: CSV, or Dakota's tabular format")
+                   "Table of inputs, and of results if it has them: CSV, or Dakota's tabular format")
       ->type_name("")
       ->required();
   command
@@ -121,19 +112,16 @@ void add_import(CLI::App& program, Action& action) {
                    "New file: NAME.sqlite for results, NAME.toml for the study with a point for each row")
       ->type_name("FILE")
       ->required();
-  command->add_option("--study", arguments->study, "Of a table: study that its rows are samples of")
+  command->add_option("--study", arguments->study, "Study that the table's rows are samples of")
       ->type_name("STUDY");
-  command
-      ->add_option("--column", arguments->columns,
-                   "Of a table: what a column is, e.g. sand.H=x1; may be repeated")
+  command->add_option("--column", arguments->columns, "What a column is, e.g. sand.H=x1; may be repeated")
       ->type_name("KEY=NAME")
       ->allow_extra_args(false);
-  command
-      ->add_option("--ignore", arguments->ignored, "Of a table: a column that is not read; may be repeated")
+  command->add_option("--ignore", arguments->ignored, "A column that is not read; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);
   command->footer(
-      R"(An export gives back an equal database. A table has a row a sample and a column for each input (campaign list
+      R"(A table has a row a sample and a column for each input (campaign list
 quantities) and for each average of q_c (WINDOW.q_c_mean_kPa, if known also .q_c_min_kPa and .q_c_max_kPa, for the
 study's windows), and may have name, status and reason. Inputs without a column are the study's baseline. Rows
 without an average failed.
@@ -142,7 +130,6 @@ The database says which file it was made from, with its SHA-256. query, report a
 goes on with it, for only this program's own runs promise the same bits.
 
 Examples:
-  campaign import sens-export --to copy.sqlite
   campaign import other-code.csv --study sens.toml --to other-code.sqlite
   campaign import dakota.dat --study sens.toml --column sand.H=x1 --column deep.q_c_mean_kPa=y1 --to dakota.sqlite
   campaign import samples.csv --study sens.toml --to more.toml)");

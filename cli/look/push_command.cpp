@@ -42,10 +42,22 @@ class Watch final : public results::PushRecorder {
 };
 
 results::Table profile_table(const solver::DepthProfile& profile) {
-  results::Table table{{"depth_m", "q_c_kPa", "f_s_kPa"}, {}};
-  for (std::size_t i = 0; i < profile.depth.size(); ++i)
-    table.rows.push_back({profile.depth[i], profile.q_c[i] * 1e-3, profile.f_s[i] * 1e-3});
+  results::Table table{{"depth_m"}, {}};
+  for (const double depth : profile.depth) table.rows.push_back({depth});
+  for (const solver::Channel& channel : solver::channels()) {
+    table.columns.push_back(in_unit(channel, "kPa"));
+    const std::vector<double>& values = profile.*channel.values;
+    for (std::size_t i = 0; i < values.size(); ++i) table.rows[i].emplace_back(values[i] * 1e-3);
+  }
   return table;
+}
+
+// "q_c, f_s, wall_stress"
+std::string channel_names() {
+  std::string names;
+  for (const solver::Channel& channel : solver::channels())
+    names += (names.empty() ? "" : ", ") + std::string(channel.name);
+  return names;
 }
 
 void print_histories(const results::Histories& histories) {
@@ -69,7 +81,7 @@ void write_results(const Push& push, const solver::Outcome& outcome, const Watch
   const auto profile_file = push.file("-profile.csv"), radial_file = push.file("-radial.csv"),
              histories_file = push.file("-histories.h5");
   results::write_csv(profile_file, profile_table(outcome.profile));
-  fmt::print("q_c and f_s, {} depth bins: {}\n", outcome.profile.depth.size(), profile_file.string());
+  fmt::print("{}, {} depth bins: {}\n", channel_names(), outcome.profile.depth.size(), profile_file.string());
   if (!histories.end.r.empty()) {
     results::write_csv(radial_file, ring_table(radial_profile(histories.end, push.radial_between,
                                                               push.setup.penetrometer.diameter / 10.0)));
@@ -160,7 +172,7 @@ void add_push(CLI::App& program, Action& action) {
   NAME-fields/NAME.pvd   stress, void ratio, displacement, ... at the chosen depths; opens in ParaView;
                          campaign view draws them
   NAME-histories.h5      material points and wall stresses over the push, all of the soil at its end
-  NAME-profile.csv       q_c and f_s over depth
+  NAME-profile.csv       q_c, f_s and the wall's stress over depth
   NAME-radial.csv        void ratio and its change by radius, at the end
 NAME is the study's, with -ID unless that is the baseline. Options with ... take several values.
 

@@ -6,6 +6,7 @@
 #include "diagnosis/request_keys.hpp"
 #include "parameters/study_keys.hpp"
 #include "results/tables/query.hpp"
+#include "solver/channels.hpp"
 #include "solver/mechanisms/catalogue.hpp"
 #include "solver/presets.hpp"
 #include "solver/quantities.hpp"
@@ -242,6 +243,16 @@ Table environment(bool) {
             "can else leave it waiting for ever"}}};
 }
 
+Table channels(bool) {
+  Table table{{"channel", "symbol", "what", "meaning"}, {}};
+  for (const solver::Channel& channel : solver::channels()) {
+    auto& row = table.rows.emplace_back();
+    for (const std::string_view text : {channel.name, channel.symbol, channel.title, channel.meaning})
+      row.emplace_back(std::string(text));
+  }
+  return table;
+}
+
 Table files(bool) {
   return {
       {"file", "meaning"},
@@ -262,6 +273,7 @@ constexpr Listing all_listings[] = {
     {"quantities", "Quantities",
      "everything a study can set or vary; defaults of homogeneous_sand at standard", quantities},
     {"laws", "Constitutive laws", "what a soil of [soils] may be, and the parameters it then has", laws},
+    {"channels", "Channels", "what a push records over depth", channels},
     {"profiles", "Profiles", "soil profiles a study can start from", profiles},
     {"presets", "Presets", "resolutions of the model", presets},
     {"request-keys", "Keys of a request", "the keys of a request for a diagnosis", request_keys},

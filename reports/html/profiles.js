@@ -1,7 +1,8 @@
-// q_c over depth of all realizations: hover, highlighting, depth zoom, keyboard.
+// The channels over depth of all realizations: hover, highlighting, depth zoom, keyboard.
 "use strict";
 
-const curves = data.curves.filter((curve) => curve.q_c_kPa.some(known))
+const values_of = (curve) => curve[`${shown.channel}_kPa`] || [];
+const curves = data.curves.filter((curve) => (curve.q_c_kPa || []).some(known))
   .sort((a, b) => (a.realization === baseline?.id) - (b.realization === baseline?.id) || a.realization - b.realization);
 const curve_of = new Map(curves.map((curve) => [curve.realization, curve]));
 const deepest = d3.max(curves, (curve) => d3.max(curve.depth_m)) || 1;
@@ -12,13 +13,14 @@ const sets_scale = (curve) => curves.length === 1 || run_of.get(curve.realizatio
 const looks = [["vermillion", ""], ["blue", "7 3"], ["green", "2 2.5"], ["purple", "9 3 2 3"], ["orange", "14 4"],
                ["sky", "4 2"]];
 
-/// q_c [kPa] at a depth, linear between bins; NaN outside.
-function q_at(curve, depth) {
+/// The channel shown [kPa] at a depth, linear between bins; NaN outside.
+function value_at(curve, depth) {
+  const values = values_of(curve);
   const i = d3.bisectLeft(curve.depth_m, depth);
-  if (i === 0) return depth === curve.depth_m[0] ? curve.q_c_kPa[0] : NaN;
+  if (i === 0) return depth === curve.depth_m[0] ? values[0] : NaN;
   if (i >= curve.depth_m.length) return NaN;
   const share = (depth - curve.depth_m[i - 1]) / (curve.depth_m[i] - curve.depth_m[i - 1]);
-  return curve.q_c_kPa[i - 1] + share * (curve.q_c_kPa[i] - curve.q_c_kPa[i - 1]);
+  return values[i - 1] + share * (values[i] - values[i - 1]);
 }
 
 /// Those furthest from the baseline in a window, as in the static figure.
@@ -32,6 +34,7 @@ function furthest(count) {
 }
 
 const shown = {
+  channel: data.channels.some((channel) => channel.name === kept("channel", "q_c")) ? kept("channel", "q_c") : "q_c",
   zoom: kept("zoom", null),  // [m] from, to; null is all
   pins: new Map(kept("pins", furthest(4).map((id, slot) => [id, slot])).filter(([id]) => run_of.has(id))),
   out: new Set(),  // ids that the filter leaves out
@@ -66,7 +69,7 @@ function profiles() {
   const from = el("input", { type: "number", min: 0, max: deepest, step: 0.01, "aria-label": "depth from, in m" });
   const to = el("input", { type: "number", min: 0, max: deepest, step: 0.01, "aria-label": "depth to, in m" });
   const plot = el("div", { class: "plot", tabindex: "0", role: "group", id: "profile-plot",
-                           "aria-label": "Cone resistance over depth of all realizations",
+                           "aria-label": `${data.channels.find((channel) => channel.name === shown.channel)?.title} over depth of all realizations`,
                            "aria-describedby": "profile-help" });
   const bubble = el("div", { class: "tip" });
   const spoken = el("p", { class: "muted", "aria-live": "polite", id: "readout" }, " ");
@@ -81,6 +84,14 @@ function profiles() {
     draw();
   }
   const range = () => shown.zoom || [0, deepest];
+  const channel_of = () => data.channels.find((channel) => channel.name === shown.channel);
+  const choice = el("select", { id: "channel", onchange: () => {
+    shown.channel = choice.value;
+    keep("channel", shown.channel);
+    plot.setAttribute("aria-label", `${channel_of().title} over depth of all realizations`);
+    draw();
+  } }, ...data.channels.map((channel) => el("option", { value: channel.name, selected: channel.name === shown.channel },
+                                            channel.title)));
 
   function draw() {
     const width = Math.floor(section.clientWidth);
@@ -91,13 +102,13 @@ function profiles() {
     let least = 0, most = 0;
     for (const curve of curves)
       for (let i = 0; i < curve.depth_m.length; ++i) {
-        const q = curve.q_c_kPa[i];
+        const q = values_of(curve)[i];
         if (i <= starts_at(curve) && starts_at(curve)) starts.push({ q, depth: curve.depth_m[i], id: curve.realization });
         x.push(known(q) && i >= starts_at(curve) ? q : NaN);
         y.push(curve.depth_m[i]);
         z.push(curve.realization);
         if (sets_scale(curve) && i >= starts_at(curve) && curve.depth_m[i] >= top && curve.depth_m[i] <= bottom) {
-          const around = d3.median(curve.q_c_kPa.slice(Math.max(starts_at(curve), i - 2), i + 3)) ?? 0;
+          const around = d3.median(values_of(curve).slice(Math.max(starts_at(curve), i - 2), i + 3)) ?? 0;
           least = Math.min(least, around);
           most = Math.max(most, around);
         }
@@ -108,7 +119,7 @@ function profiles() {
       height: Math.min(Math.max(0.75 * width, 420), 680),
       marginLeft: 58, marginRight: 14, marginTop: 44, marginBottom: 12,
       style: figure_style,
-      x: { domain: [least, 1.04 * most], axis: "top", label: "q_c", labelAnchor: "center", labelArrow: "none", grid: true },
+      x: { domain: [least, 1.04 * most], axis: "top", label: shown.channel, labelAnchor: "center", labelArrow: "none", grid: true },
       y: { domain: [top, bottom], reverse: true, ticks: 10, label: "depth of the tip (m)", labelAnchor: "center", labelArrow: "none",
            grid: true },
       marks: [
@@ -125,7 +136,7 @@ function profiles() {
         Plot.line({ length: x.length }, { x, y, z, clip: true, className: "curves" }),
       ],
     });
-    set_labels(svg, "x-axis label", [with_q_c("", " (kPa)")]);
+    set_labels(svg, "x-axis label", [[...channel_of().symbol, [" (kPa)", false]]]);
     svg.querySelectorAll(".curves path").forEach((path, i) => {
       path.classList.add("curve");
       path.dataset.id = curves[i].realization;
@@ -182,9 +193,9 @@ function profiles() {
     bubble.replaceChildren();
     const run = run_of.get(shown.lit), curve = curve_of.get(shown.lit);
     if (!run) return;
-    const q = curve && shown.depth !== null ? q_at(curve, shown.depth) : NaN;
+    const q = curve && shown.depth !== null ? value_at(curve, shown.depth) : NaN;
     if (!known(q)) return;
-    const base = curve_of.get(baseline?.id), there = base ? q_at(base, shown.depth) : NaN;
+    const base = curve_of.get(baseline?.id), there = base ? value_at(base, shown.depth) : NaN;
     const lines = [`depth ${decimals(shown.depth, 4)} m: ${number(q)} kPa`,
       shown.depth < (curve.depth_m[starts_at(curve)] ?? 0) ? "start of the push" : "",
       run !== baseline && known(there) ? `${percent(q / there - 1)} of the baseline` : "",
@@ -206,7 +217,7 @@ function profiles() {
     const [px, py] = d3.pointer(event, plot.querySelector("svg"));
     const depth = scales.y.invert(py), [top, bottom] = range();
     if (depth < top || depth > bottom) return light(null);
-    const distance = (curve) => Math.abs(scales.x.apply(q_at(curve, depth)) - px);
+    const distance = (curve) => Math.abs(scales.x.apply(value_at(curve, depth)) - px);
     const near = d3.least(curves.filter((curve) => visible(curve) && distance(curve) < 60), distance);
     return light(near ? near.realization : null, depth);
   }
@@ -215,8 +226,8 @@ function profiles() {
   function step(event) {
     const [top, bottom] = range(), height = bottom - top;
     const depth = Math.min(Math.max(shown.depth ?? (top + bottom) / 2, top), bottom);
-    const there = d3.sort(curves.filter((curve) => visible(curve) && known(q_at(curve, depth))),
-      (curve) => q_at(curve, depth));
+    const there = d3.sort(curves.filter((curve) => visible(curve) && known(value_at(curve, depth))),
+      (curve) => value_at(curve, depth));
     const i = there.findIndex((curve) => curve.realization === shown.lit);
     const go = (k) => there.length && light(there[(k + there.length) % there.length].realization, depth);
     const sink = (by) => light(shown.lit ?? there[0]?.realization ?? null, Math.min(Math.max(depth + by, top), bottom));
@@ -248,7 +259,8 @@ function profiles() {
   changed.pins.push(mark);
 
   section.append(
-    el("div", { class: "controls", role: "group", "aria-label": "Depth shown" },
+    el("div", { class: "controls", role: "group", "aria-label": "What is shown" },
+      data.channels.length > 1 ? el("label", {}, "channel", choice) : "",
       el("label", {}, "depth from", from, "m"), el("label", {}, "to", to, "m"),
       el("button", { type: "button", id: "whole", onclick: () => zoom(null) }, "Whole depth"),
       ...data.windows.filter((window) => known(window.from_m)).map((window) =>

@@ -38,8 +38,7 @@ void fill(const Hdf5Group& root, const CurveFile& content) {
       group.put_text(text_attributes[i], curve.*text_members[i]);
     if (curve.value) group.put_number("value", *curve.value);
     group.put_array("depth_m", curve.depth_m);
-    group.put_array("q_c_kPa", curve.q_c_kPa);
-    group.put_array("f_s_kPa", curve.f_s_kPa);
+    for (const auto& [name, values] : curve.channels_kPa) group.put_array(name + "_kPa", values);
   }
 }
 
@@ -55,8 +54,11 @@ CurveFile content_of(const Hdf5Group& root) {
       curve.*text_members[k] = group.text(text_attributes[k]);
     curve.value = group.number("value");
     curve.depth_m = group.array("depth_m");
-    curve.q_c_kPa = group.array("q_c_kPa");
-    curve.f_s_kPa = group.array("f_s_kPa");
+    const std::vector<std::string> stored = group.names();
+    for (const solver::Channel& channel : solver::channels())
+      if (const std::string dataset = in_unit(channel, "kPa");
+          channel.required || std::ranges::find(stored, dataset) != stored.end())
+        curve.channels_kPa[std::string(channel.name)] = group.array(dataset);
     content.curves.push_back(std::move(curve));
   }
   return content;
@@ -68,12 +70,17 @@ CurveFile read_file(const std::filesystem::path& file) {
   return content;
 }
 
-std::vector<double> in_kPa(std::vector<double> values) {
-  std::transform(values.begin(), values.end(), values.begin(), [](double Pa) { return Pa / 1.0e3; });
-  return values;
+std::map<std::string, std::vector<double>> channels_kPa(const solver::DepthProfile& profile) {
+  std::map<std::string, std::vector<double>> channels;
+  for (const solver::Channel& channel : solver::channels()) {
+    std::vector<double> values = profile.*channel.values;
+    for (double& value : values) value /= 1.0e3;
+    if (!values.empty() || channel.required) channels[std::string(channel.name)] = std::move(values);
+  }
+  return channels;
 }
 
-CurveFile content_of(Snapshot snapshot) {
+CurveFile content_of(const Snapshot& snapshot) {
   const CampaignRow& c = snapshot.campaign;
   CurveFile content;
   content.provenance = {{"study", c.name},
@@ -85,18 +92,18 @@ CurveFile content_of(Snapshot snapshot) {
                         {"program_version", c.program_version},
                         {"solver_version", c.solver_version}};
   auto row = snapshot.realizations.begin();
-  for (CurveRow& curve : snapshot.curves) {
+  for (const CurveRow& curve : snapshot.curves) {
     // Both are in the order of their ids.
     row = std::find_if(row, snapshot.realizations.end(),
                        [&](const RealizationRow& r) { return r.id == curve.realization; });
     if (row == snapshot.realizations.end()) throw Error("a curve has no realization");
     const auto parameter = std::find_if(snapshot.parameters.begin(), snapshot.parameters.end(),
                                         [&](const ParameterRow& p) { return p.name == row->parameter; });
-    content.curves.push_back(
-        {row->id, row->parameter, row->side, row->value_text,
-         parameter == snapshot.parameters.end() ? "" : parameter->unit, row->status, row->settings_hash,
-         std::isnan(row->value) ? std::nullopt : std::optional(row->value), std::move(curve.profile.depth),
-         in_kPa(std::move(curve.profile.q_c)), in_kPa(std::move(curve.profile.f_s))});
+    content.curves.push_back({row->id, row->parameter, row->side, row->value_text,
+                              parameter == snapshot.parameters.end() ? "" : parameter->unit, row->status,
+                              row->settings_hash,
+                              std::isnan(row->value) ? std::nullopt : std::optional(row->value),
+                              curve.profile.depth, channels_kPa(curve.profile)});
   }
   return content;
 }

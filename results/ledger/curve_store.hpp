@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,12 +16,14 @@
 
 namespace cpt::results {
 
-/// One group of the file, `/realizations/0001`: datasets depth_m, q_c_kPa, f_s_kPa and these attributes.
+/// One group of the file, `/realizations/0001`: these attributes, and the datasets depth_m and NAME_kPa of
+/// each channel that was recorded.
 struct StoredCurve {
   int realization = 0;
   std::string parameter, side, value_text, unit, status, settings_hash;
   std::optional<double> value;  ///< study unit; none for the baseline
-  std::vector<double> depth_m, q_c_kPa, f_s_kPa;
+  std::vector<double> depth_m;
+  std::map<std::string, std::vector<double>> channels_kPa;  ///< by the name of the channel
   bool operator==(const StoredCurve&) const = default;
 };
 

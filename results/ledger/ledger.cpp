@@ -154,6 +154,7 @@ Ledger Ledger::open(const parameters::Study& study, std::span<const parameters::
     for (const std::string& message : opened.messages) options.tell(message);
   apply(database, matching, options.retry_failed);
   write_study(database, study, options.study_text);
+  write_inputs(database, study, realizations);
   recompute_windows(database, study);
   opened.pending =
       static_cast<int>(database.integer("SELECT count(*) FROM realization WHERE status = 'pending'"));

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "results/ledger/ledger_tables.hpp"
 #include "results/ledger/provenance.hpp"
 #include "results/statistics/repeat_noise.hpp"
 #include "results/statistics/windows.hpp"
@@ -38,6 +40,12 @@ void append_bytes(std::string& bytes, const T& value) {
 
 }  // namespace
 
+void check_curve(const Database& database, const CurveRow& curve) {
+  if (!solver::is_even(curve.profile))
+    fail_damaged(database.file(), fmt::format("the curve of realization {} has columns of different lengths",
+                                              curve.realization));
+}
+
 std::string_view kind_name(parameters::Window::Kind kind) {
   switch (kind) {
     case parameters::Window::Kind::peak:
@@ -56,29 +64,31 @@ std::string outcome_checksum(const Database& database, std::int64_t id, const Ru
     append_bytes(bytes, text.size());
     bytes += text;
   };
-  Statement row = database.prepare(fmt::format(
-      "SELECT settings_hash, solver_version, status, reason, steps, material_points, max_empty_cells, "
-      "wall_s, "
-      "mass_error, momentum_error, energy_error, kinetic_fraction, min_time_step_s, max_time_step_s "
-      "FROM {} WHERE id = ?",
-      tables.run));
+  const std::vector<RowColumn<RealizationRow>>& sealed = sealed_columns();
+  Statement row =
+      database.prepare(fmt::format("SELECT {} FROM {} WHERE id = ?", names_of(sealed), tables.run));
   row.bind(id);
   if (row.step())
-    for (int column = 0; column < row.columns(); ++column) {
+    for (std::size_t k = 0; k < sealed.size(); ++k) {
+      const int column = static_cast<int>(k);
       if (row.is_null(column))
         append("NULL");
-      else if (column < 4)
+      else if (sealed[k].type == "TEXT")
         append(row.text(column));
-      else if (column < 7)
+      else if (sealed[k].type == "INTEGER")
         append_bytes(bytes, row.integer(column));
       else
         append_bytes(bytes, row.number(column));
     }
+  const auto append_array = [&](const std::vector<double>& values) {
+    append_bytes(bytes, values.size());
+    for (const double value : values) append_bytes(bytes, value);
+  };
   const solver::DepthProfile profile = read_profile(database, id, tables);
-  for (const std::vector<double>* values : {&profile.depth, &profile.q_c, &profile.f_s}) {
-    append_bytes(bytes, values->size());
-    for (const double value : *values) append_bytes(bytes, value);
-  }
+  append_array(profile.depth);
+  // What earlier programs did not record leaves their checksums as they are.
+  for (const solver::Channel& channel : solver::channels())
+    if (channel.required || !(profile.*channel.values).empty()) append_array(profile.*channel.values);
   return sha256(bytes);
 }
 
@@ -135,15 +145,14 @@ void rename_realization(const Database& database, std::int64_t old_id, int new_i
 }
 
 void clear_outcome(const Database& database, int id) {
-  database
-      .prepare(
-          "UPDATE realization SET status = 'pending', reason = '', wall_s = NULL, steps = NULL, "
-          "material_points = NULL, started = NULL, finished = NULL, mass_error = NULL, momentum_error = "
-          "NULL, "
-          "energy_error = NULL, kinetic_fraction = NULL, max_empty_cells = NULL, min_time_step_s = NULL, "
-          "max_time_step_s = NULL WHERE id = ?")
-      .bind(id)
-      .run();
+  std::string changes;
+  for (const ColumnDefinition& column : run_table(in_use_tables).columns)
+    if (is_outcome(column))
+      changes += fmt::format("{}{} = {}", changes.empty() ? "" : ", ", column.name,
+                             column.name == "status"   ? "'pending'"
+                             : column.name == "reason" ? "''"
+                                                       : "NULL");
+  database.prepare(fmt::format("UPDATE realization SET {} WHERE id = ?", changes)).bind(id).run();
   for (const char* table : {"curve", "checksum"})
     database.prepare(fmt::format("DELETE FROM {} WHERE realization = ?", table)).bind(id).run();
   database.prepare("DELETE FROM window_mean WHERE realization = ?").bind(id).run();
@@ -159,114 +168,95 @@ void require_waiting(const Database& database, int id) {
 }
 
 void write_study(const Database& database, const parameters::Study& study, const std::string& study_text) {
-  database
-      .prepare(
-          "INSERT INTO campaign VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (one) DO UPDATE SET "
-          "name = excluded.name, title = excluded.title, profile = excluded.profile, preset = "
-          "excluded.preset, "
-          "study_text = excluded.study_text, baseline_setup = excluded.baseline_setup, program_version = "
-          "excluded.program_version, solver_version = excluded.solver_version, curve_file = "
-          "excluded.curve_file")
-      .bind(study.name)
-      .bind(study.title)
-      .bind(solver::to_string(study.profile))
-      .bind(solver::to_string(study.preset))
-      .bind(study_text)
-      .bind(solver::canonical_text(study.baseline))
-      .bind(program_version())
-      .bind(solver::solver_version())
-      .bind(study.curves.filename().string())
-      .bind(utc_now())
-      .run();
-
+  CampaignRow campaign{study.name,
+                       study.title,
+                       std::string(solver::to_string(study.profile)),
+                       std::string(solver::to_string(study.preset)),
+                       study_text,
+                       solver::canonical_text(study.baseline),
+                       std::string(program_version()),
+                       std::string(solver::solver_version()),
+                       utc_now(),
+                       study.curves.filename().string()};
+  {
+    Statement stored = database.prepare("SELECT created FROM campaign");
+    if (stored.step()) campaign.created = stored.text(0);
+  }
   database.execute(
-      "DELETE FROM layer; DELETE FROM parameter; DELETE FROM window_mean; DELETE FROM repeat_noise; "
-      "DELETE FROM depth_window");
+      "DELETE FROM campaign; DELETE FROM layer; DELETE FROM parameter; DELETE FROM window_mean; "
+      "DELETE FROM repeat_noise; DELETE FROM depth_window");
+  insert_row(database, campaign_table(), campaign);
   int position = 0;
   for (const solver::Layer& layer : study.baseline.layers)
-    database.prepare("INSERT INTO layer VALUES (?, ?, ?, ?)")
-        .bind(++position)
-        .bind(layer.top)
-        .bind(layer.bottom)
-        .bind(study.baseline.soils[layer.soil].name)
-        .run();
+    insert_row(database, layer_table(),
+               {layer.top, layer.bottom, study.baseline.soils[layer.soil].name, ++position});
   position = 0;
-  for (const parameters::Row& row : study.rows)
-    database.prepare("INSERT INTO parameter VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-        .bind(row.quantity->name)
-        .bind(++position)
-        .bind(row.quantity->symbol)
-        .bind(row.quantity->unit)
-        .bind(row.quantity->meaning)
-        .bind(row.baseline)
-        .bind(row.lower)
-        .bind(row.upper)
-        .bind(row.quantity->format(row.baseline))
-        .bind(row.quantity->format(row.lower))
-        .bind(row.quantity->format(row.upper))
-        .run();
+  for (const parameters::Row& row : study.rows) {
+    const solver::Quantity& q = *row.quantity;
+    insert_row(
+        database, parameter_table(),
+        {q.name, std::string(q.symbol), std::string(q.unit), std::string(q.meaning), row.baseline, row.lower,
+         row.upper, q.format(row.baseline), q.format(row.lower), q.format(row.upper), ++position});
+  }
   position = 0;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (const parameters::Window& window : study.windows)
-    database
-        .prepare(
-            "INSERT INTO depth_window (name, position, kind, search_from_m, search_to_m, width_m, problem) "
-            "VALUES (?, ?, ?, ?, ?, ?, '')")
-        .bind(window.name)
-        .bind(++position)
-        .bind(kind_name(window.kind))
-        .bind(window.from)
-        .bind(window.to)
-        .bind(window.kind == parameters::Window::Kind::fixed ? std::numeric_limits<double>::quiet_NaN()
-                                                             : window.width)
-        .run();
+    insert_row(database, window_table(),
+               {window.name, std::string(kind_name(window.kind)), none, none, "", ++position, window.from,
+                window.to, window.kind == parameters::Window::Kind::fixed ? none : window.width});
+}
+
+void write_inputs(const Database& database, const parameters::Study& study,
+                  std::span<const parameters::Realization> realizations) {
+  std::vector<const solver::Quantity*> varied;
+  const auto add = [&](const solver::Quantity* quantity) {
+    if (std::ranges::find(varied, quantity) == varied.end()) varied.push_back(quantity);
+  };
+  for (const parameters::Row& row : study.rows) add(row.quantity);
+  for (const parameters::DesignPoint& point : study.points)
+    for (const parameters::Change& change : point.changes) add(change.quantity);
+  database.execute("DELETE FROM realization_input");
+  for (const parameters::Realization& realization : realizations) {
+    const solver::Setup setup = parameters::make_setup(study, realization);
+    for (const solver::Quantity* quantity : varied) {
+      const double value = quantity->value(setup);
+      insert_row(database, input_table(), {realization.id, quantity->name, value, quantity->format(value)});
+    }
+  }
 }
 
 void write_outcome(const Database& database, int id, const solver::Outcome& outcome) {
-  const solver::Audit& audit = outcome.audit;
-  database
-      .prepare(
-          "UPDATE realization SET status = ?, reason = ?, wall_s = ?, steps = ?, material_points = ?, "
-          "finished = ?, mass_error = ?, momentum_error = ?, energy_error = ?, kinetic_fraction = ?, "
-          "max_empty_cells = ?, min_time_step_s = ?, max_time_step_s = ? WHERE id = ?")
-      .bind(solver::to_string(outcome.status))
-      .bind(outcome.reason)
-      .bind(outcome.wall_seconds)
-      .bind(outcome.steps)
-      .bind(outcome.material_points)
-      .bind(utc_now())
-      .bind(audit.mass_error)
-      .bind(audit.momentum_error)
-      .bind(audit.energy_error)
-      .bind(audit.kinetic_fraction)
-      .bind(audit.max_empty_cells)
-      .bind(audit.min_time_step)
-      .bind(audit.max_time_step)
-      .bind(id)
-      .run();
-  const solver::DepthProfile& profile = outcome.profile;
-  if (profile.depth.size() != profile.q_c.size() || profile.depth.size() != profile.f_s.size())
+  if (!solver::is_even(outcome.profile))
     throw std::logic_error(fmt::format("realization {}: the arrays of its profile differ in length", id));
-  if (!profile.depth.empty())
-    database.prepare("INSERT INTO curve VALUES (?, ?, ?, ?, ?)")
-        .bind(id)
-        .bind(static_cast<std::int64_t>(profile.depth.size()))
-        .bind(profile.depth)
-        .bind(profile.q_c)
-        .bind(profile.f_s)
-        .run();
+  RealizationRow row;
+  row.status = solver::to_string(outcome.status);
+  row.reason = outcome.reason;
+  row.wall_s = outcome.wall_seconds;
+  row.steps = outcome.steps;
+  row.material_points = outcome.material_points;
+  row.finished = utc_now();
+  row.audit = outcome.audit;
+  std::vector<const RowColumn<RealizationRow>*> changed;
+  std::string changes;
+  for (const RowColumn<RealizationRow>& column : run_table(in_use_tables).columns)
+    if (is_outcome(column) && column.name != "started") {
+      changes += (changed.empty() ? "" : ", ") + column.name + " = ?";
+      changed.push_back(&column);
+    }
+  Statement update = database.prepare(fmt::format("UPDATE realization SET {} WHERE id = ?", changes));
+  for (const RowColumn<RealizationRow>* column : changed) column->bind(update, row);
+  update.bind(id).run();
+  if (!outcome.profile.depth.empty()) insert_row(database, curve_table(in_use_tables), {id, outcome.profile});
   database.prepare("INSERT INTO checksum VALUES (?, ?)").bind(id).bind(outcome_checksum(database, id)).run();
 }
 
 solver::DepthProfile read_profile(const Database& database, std::int64_t id, const RunTables& tables) {
-  Statement row = database.prepare(
-      fmt::format("SELECT depth_m, q_c_Pa, f_s_Pa FROM {} WHERE realization = ?", tables.curve));
+  Statement row = select_rows(database, curve_table(tables), "WHERE realization = ?");
   row.bind(id);
   if (!row.step()) return {};
-  solver::DepthProfile profile{row.doubles(0), row.doubles(1), row.doubles(2)};
-  if (profile.q_c.size() != profile.depth.size() || profile.f_s.size() != profile.depth.size())
-    fail_damaged(database.file(),
-                 fmt::format("the curve of realization {} has columns of different lengths", id));
-  return profile;
+  CurveRow curve = row_of(curve_table(tables), row);
+  check_curve(database, curve);
+  return std::move(curve.profile);
 }
 
 void write_window_means(const Database& database, int id, const solver::DepthProfile& profile) {
@@ -276,16 +266,18 @@ void write_window_means(const Database& database, int id, const solver::DepthPro
     const Interval interval{windows.number(1), windows.number(2)};
     const Resolved<WindowMean> mean = average(profile, interval);
     if (!mean) continue;  // the view `sensitivity` then says so
-    database.prepare("INSERT INTO window_mean VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
-        .bind(id)
-        .bind(windows.text(0))
-        .bind(interval.from)
-        .bind(interval.to)
-        .bind(mean.value.bins)
-        .bind(mean.value.mean / Pa_per_kPa)
-        .bind(mean.value.min / Pa_per_kPa)
-        .bind(mean.value.max / Pa_per_kPa)
-        .run();
+    WindowMeanRow row{id,
+                      windows.text(0),
+                      interval.from,
+                      interval.to,
+                      mean.value.mean / Pa_per_kPa,
+                      mean.value.min / Pa_per_kPa,
+                      mean.value.max / Pa_per_kPa,
+                      mean.value.bins,
+                      {}};
+    for (std::size_t k = 1; k < solver::channel_count; ++k)
+      row.other_means_kPa[k - 1] = channel_average(profile, solver::channels()[k], interval) / Pa_per_kPa;
+    insert_row(database, window_mean_table(), row);
   }
 }
 
@@ -317,13 +309,8 @@ void recompute_repeat_noise(const Database& database) {
   while (rows.step()) averages[rows.text(0)].push_back(rows.number(1));
   for (const auto& [window, numbers] : averages)
     if (const auto noise = repeat_noise(numbers); noise && noise->mean > 0.0)
-      database.prepare("INSERT INTO repeat_noise VALUES (?, ?, ?, ?, ?)")
-          .bind(window)
-          .bind(noise->runs)
-          .bind(noise->mean)
-          .bind(noise->deviation)
-          .bind(index_half_width(*noise))
-          .run();
+      insert_row(database, repeat_noise_table(),
+                 {window, noise->runs, noise->mean, noise->deviation, index_half_width(*noise)});
 }
 
 }  // namespace cpt::results

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -45,6 +46,12 @@ void rename_realization(const Database& database, std::int64_t old_id, int new_i
 void clear_outcome(const Database& database, int id);
 /// Throws std::logic_error unless the realization is pending or running.
 void require_waiting(const Database& database, int id);
+
+/// Fails as damaged where the channels of a curve that was read differ in length.
+void check_curve(const Database& database, const CurveRow& curve);
+/// Replaces what is stored of each realization's inputs: every quantity that the study varies anywhere.
+void write_inputs(const Database& database, const parameters::Study& study,
+                  std::span<const parameters::Realization> realizations);
 
 /// Replaces campaign, layers, parameters and windows by the study's.
 void write_study(const Database& database, const parameters::Study& study, const std::string& study_text);

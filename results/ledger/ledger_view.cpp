@@ -64,10 +64,12 @@ LedgerView view_ledger(const parameters::Study& study, const std::string& study_
   upgrade_schema(database);
   mend_views(database);
   const std::vector<std::string> changes = study_changes(database, study);
-  const Matching matching = match(database, study, parameters::all_realizations(study));
+  const std::vector<parameters::Realization> realizations = parameters::all_realizations(study);
+  const Matching matching = match(database, study, realizations);
   const Opened opened = describe(matching, {}, false, false);
   apply(database, matching, false, true);
   write_study(database, study, study_text);
+  write_inputs(database, study, realizations);
   recompute_windows(database, study);
   transaction.commit();
 

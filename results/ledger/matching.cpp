@@ -152,6 +152,7 @@ std::optional<Prospect> prospect(const parameters::Study& study) {
   const Database database(study.database, Database::Mode::read_only);
   if (is_empty(database)) return std::nullopt;
   check_schema(database);
+  show_as_present(database);
   const std::filesystem::path lock = study.database.string() + ".lock";
   const bool under_way = is_held(lock);  // before the rows, as read_snapshot
   const Transaction transaction(database, Transaction::Kind::read);

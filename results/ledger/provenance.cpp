@@ -55,10 +55,15 @@ std::string utc_now() {
 }
 
 std::optional<std::size_t> first_difference(const solver::DepthProfile& a, const solver::DepthProfile& b) {
-  const std::size_t same =
-      std::min({common_prefix(a.depth, b.depth), common_prefix(a.q_c, b.q_c), common_prefix(a.f_s, b.f_s)});
-  const bool all = same == a.depth.size() && same == b.depth.size() && same == a.q_c.size() &&
-                   same == b.q_c.size() && same == a.f_s.size() && same == b.f_s.size();
+  std::size_t same = common_prefix(a.depth, b.depth);
+  bool all = same == a.depth.size() && same == b.depth.size();
+  for (const solver::Channel& channel : solver::channels()) {
+    const std::vector<double>&of_a = a.*channel.values, &of_b = b.*channel.values;
+    if (!channel.required && (of_a.empty() || of_b.empty())) continue;
+    const std::size_t prefix = common_prefix(of_a, of_b);
+    all = all && prefix == of_a.size() && prefix == of_b.size();
+    same = std::min(same, prefix);
+  }
   return all ? std::nullopt : std::optional(same);
 }
 

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "results/ledger/ledger_tables.hpp"
 #include "results/ledger/views.hpp"
 
 namespace cpt::results {
@@ -14,156 +16,25 @@ namespace {
 
 constexpr std::int64_t application_id = 0x43505443;  // "CPTC"
 
-// Of `realization`, and of those that the study no longer asks for.
-constexpr const char* run_definitions = R"sql(
-  parameter        TEXT,
-  side             TEXT NOT NULL CHECK (side IN ('baseline', 'lower', 'upper', 'point', 'repeat')),
-  value            REAL,
-  value_text       TEXT NOT NULL,
-  status           TEXT NOT NULL CHECK (status IN ('pending', 'running', 'completed', 'did_not_converge',
-                     'energy_drift', 'time_limit', 'invalid_parameters', 'crashed', 'rank_lost')),
-  reason           TEXT NOT NULL DEFAULT '',
-  wall_s           REAL,
-  steps            INTEGER,
-  material_points  INTEGER,
-  settings_hash    TEXT NOT NULL,
-  solver_version   TEXT NOT NULL,
-  started          TEXT,
-  finished         TEXT,
-  mass_error       REAL,
-  momentum_error   REAL,
-  energy_error     REAL,
-  kinetic_fraction REAL,
-  max_empty_cells  INTEGER,
-  min_time_step_s  REAL,
-  max_time_step_s  REAL)sql";
+std::vector<std::string> stored_columns(const Database& database, std::string_view table) {
+  std::vector<std::string> names;
+  Statement rows = database.prepare("SELECT name FROM pragma_table_info(?, 'main')");
+  rows.bind(table);
+  while (rows.step()) names.push_back(rows.text(0));
+  return names;
+}
 
-constexpr const char* table_definitions = R"sql(
-CREATE TABLE campaign (
-  one              INTEGER PRIMARY KEY CHECK (one = 1),
-  name             TEXT NOT NULL,
-  title            TEXT NOT NULL,
-  profile          TEXT NOT NULL,
-  preset           TEXT NOT NULL,
-  study_text       TEXT NOT NULL,
-  baseline_setup   TEXT NOT NULL,
-  program_version  TEXT NOT NULL,
-  solver_version   TEXT NOT NULL,
-  curve_file       TEXT NOT NULL,
-  created          TEXT NOT NULL
-);
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
 
-CREATE TABLE layer (
-  position         INTEGER PRIMARY KEY,
-  top_m            REAL NOT NULL,
-  bottom_m         REAL NOT NULL,
-  soil             TEXT NOT NULL
-);
-
-CREATE TABLE parameter (
-  name             TEXT PRIMARY KEY,
-  position         INTEGER NOT NULL UNIQUE,
-  symbol           TEXT NOT NULL,
-  unit             TEXT NOT NULL,
-  meaning          TEXT NOT NULL,
-  baseline         REAL NOT NULL,
-  lower            REAL NOT NULL,
-  upper            REAL NOT NULL,
-  baseline_text    TEXT NOT NULL,
-  lower_text       TEXT NOT NULL,
-  upper_text       TEXT NOT NULL
-);
-
-CREATE TABLE realization (
-  id               INTEGER PRIMARY KEY,{run_columns}
-);
-CREATE INDEX realization_of_bound ON realization (parameter, side);
-
-CREATE TABLE curve (
-  realization      INTEGER PRIMARY KEY REFERENCES realization (id) ON UPDATE CASCADE ON DELETE CASCADE,
-  bins             INTEGER NOT NULL,
-  depth_m          BLOB NOT NULL,
-  q_c_Pa           BLOB NOT NULL,
-  f_s_Pa           BLOB NOT NULL
-);
-
-CREATE TABLE depth_window (
-  name             TEXT PRIMARY KEY,
-  position         INTEGER NOT NULL UNIQUE,
-  kind             TEXT NOT NULL CHECK (kind IN ('fixed', 'peak', 'trough')),
-  search_from_m    REAL NOT NULL,
-  search_to_m      REAL NOT NULL,
-  width_m          REAL,
-  from_m           REAL,
-  to_m             REAL,
-  problem          TEXT NOT NULL
-);
-
-CREATE TABLE window_mean (
-  realization      INTEGER NOT NULL REFERENCES realization (id) ON UPDATE CASCADE ON DELETE CASCADE,
-  window           TEXT NOT NULL REFERENCES depth_window (name),
-  from_m           REAL NOT NULL,
-  to_m             REAL NOT NULL,
-  bins             INTEGER,
-  q_c_mean_kPa     REAL NOT NULL,
-  q_c_min_kPa      REAL,
-  q_c_max_kPa      REAL,
-  PRIMARY KEY (realization, window)
-) WITHOUT ROWID;
-
-CREATE TABLE checksum (
-  realization      INTEGER PRIMARY KEY REFERENCES realization (id) ON UPDATE CASCADE ON DELETE CASCADE,
-  sha256           TEXT NOT NULL
-);
-
-CREATE TABLE repeat_noise (
-  window           TEXT PRIMARY KEY REFERENCES depth_window (name),
-  runs             INTEGER NOT NULL,
-  q_c_mean_kPa     REAL NOT NULL,
-  q_c_deviation_kPa REAL NOT NULL,
-  si_half_width    REAL NOT NULL
-);
-
-CREATE TABLE former_study (
-  id               INTEGER PRIMARY KEY,
-  name             TEXT NOT NULL,
-  study_text       TEXT NOT NULL,
-  baseline_setup   TEXT NOT NULL,
-  program_version  TEXT NOT NULL
-);
-
-CREATE TABLE unused (
-  id               INTEGER PRIMARY KEY,{run_columns},
-  study            INTEGER NOT NULL REFERENCES former_study (id)
-);
-
-CREATE TABLE unused_curve (
-  realization      INTEGER PRIMARY KEY REFERENCES unused (id) ON UPDATE CASCADE ON DELETE CASCADE,
-  bins             INTEGER NOT NULL,
-  depth_m          BLOB NOT NULL,
-  q_c_Pa           BLOB NOT NULL,
-  f_s_Pa           BLOB NOT NULL
-);
-
-CREATE TABLE unused_checksum (
-  realization      INTEGER PRIMARY KEY REFERENCES unused (id) ON UPDATE CASCADE ON DELETE CASCADE,
-  sha256           TEXT NOT NULL
-);
-
-CREATE TABLE import (
-  position         INTEGER PRIMARY KEY,
-  file             TEXT NOT NULL,
-  sha256           TEXT NOT NULL,
-  imported         TEXT NOT NULL,
-  program_version  TEXT NOT NULL
-);
-)sql";
-
-// A table after those that refer to it.
-constexpr std::array<const char*, 14> table_names = {
-    "unused_checksum", "unused_curve", "unused",   "former_study", "checksum",
-    "repeat_noise",    "window_mean",  "curve",    "depth_window", "realization",
-    "parameter",       "layer",        "campaign", "import"};
+/// The table's columns that are stored.
+std::vector<ColumnDefinition> kept(const TableDefinition& table, const std::vector<std::string>& stored) {
+  std::vector<ColumnDefinition> columns;
+  for (const ColumnDefinition& column : table.columns)
+    if (contains(stored, column.name)) columns.push_back(column);
+  return columns;
+}
 
 }  // namespace
 
@@ -172,27 +43,30 @@ bool has_table(const Database& database, std::string_view table) {
 }
 
 void create_schema(const Database& database) {
-  database.execute(fmt::format(table_definitions, fmt::arg("run_columns", run_definitions)));
+  for (const TableDefinition& table : ledger_tables()) database.execute(definition_of(table));
+  database.execute("CREATE INDEX realization_of_bound ON realization (parameter, side)");
   for (const View& view : views()) database.execute(view.definition);
   database.execute(
       fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, schema_version));
 }
 
-// No version has changed a table's columns, only what they may hold, so rows are taken over as they are.
+// Rows are taken over as they are; what an earlier version did not store is NULL.
 void upgrade_schema(const Database& database) {
   if (database.integer("PRAGMA user_version") == schema_version) return;
   for (const View& view : views()) database.execute(fmt::format("DROP VIEW IF EXISTS {}", view.name));
   database.execute("DROP INDEX IF EXISTS realization_of_bound");
-  std::vector<std::string> old;
-  for (const char* table : table_names) {
-    if (!has_table(database, table)) continue;
-    database.execute(fmt::format("ALTER TABLE {0} RENAME TO old_{0}", table));
-    old.emplace_back(table);
-  }
-  create_schema(database);
+  std::vector<TableDefinition> old;
+  for (const TableDefinition& table : ledger_tables())
+    if (has_table(database, table.name)) old.push_back(table);
+  // A table after those that refer to it, and before them in the end.
   for (auto table = old.rbegin(); table != old.rend(); ++table)
-    database.execute(fmt::format("INSERT INTO {0} SELECT * FROM old_{0}", *table));
-  for (const std::string& table : old) database.execute(fmt::format("DROP TABLE old_{}", table));
+    database.execute(fmt::format("ALTER TABLE {0} RENAME TO old_{0}", table->name));
+  create_schema(database);
+  for (const TableDefinition& table : old)
+    database.execute(fmt::format("INSERT INTO {0} ({1}) SELECT {1} FROM old_{0}", table.name,
+                                 names_of(kept(table, stored_columns(database, "old_" + table.name)))));
+  for (auto table = old.rbegin(); table != old.rend(); ++table)
+    database.execute(fmt::format("DROP TABLE old_{}", table->name));
 }
 
 void mend_views(const Database& database) {
@@ -208,14 +82,26 @@ void mend_views(const Database& database) {
   }
 }
 
+void show_as_present(const Database& database) {
+  if (database.integer("PRAGMA user_version") == schema_version) return;
+  database.execute("PRAGMA temp_store = MEMORY");
+  for (const TableDefinition& table : ledger_tables()) {
+    const std::vector<std::string> stored = stored_columns(database, table.name);
+    if (kept(table, stored).size() == table.columns.size()) continue;
+    std::string shown;
+    for (const ColumnDefinition& column : table.columns)
+      shown += fmt::format("{}{}{}", shown.empty() ? "" : ", ",
+                           contains(stored, column.name) ? "" : "NULL AS ", column.name);
+    database.execute(fmt::format("CREATE TEMP VIEW {0} AS SELECT {1}{2}", table.name, shown,
+                                 stored.empty() ? " WHERE 0" : " FROM main." + table.name));
+  }
+}
+
 Database open_ledger(const std::filesystem::path& file) {
   Database database(file, Database::Mode::read_only);
   check_schema(database);
   database.execute("PRAGMA temp_store = MEMORY");
-  if (!has_table(database, "repeat_noise"))
-    database.execute(
-        "CREATE TEMP TABLE repeat_noise (window TEXT PRIMARY KEY, runs INTEGER, q_c_mean_kPa REAL, "
-        "q_c_deviation_kPa REAL, si_half_width REAL)");
+  show_as_present(database);
   for (const View& view : views()) {
     std::string definition = view.definition;
     definition.replace(definition.find("CREATE VIEW"), 11, "CREATE TEMP VIEW");

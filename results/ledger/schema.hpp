@@ -1,4 +1,4 @@
-// The ledger's tables and views, as SQL; docs/schema.md explains every column.
+// The ledger's tables and views in a database: made, upgraded, read as they are now.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 namespace cpt::results {
 
 /// Raised whenever a table or view changes in a way that a reader would notice.
-inline constexpr int schema_version = 5;
+inline constexpr int schema_version = 6;
 /// The oldest that is still read; a campaign that goes on brings it to the present version.
 inline constexpr int oldest_schema_version = 1;
 
@@ -25,7 +25,10 @@ void mend_views(const Database& database);
 /// A ledger for reading alone, checked. Its views are this program's, whatever stands in the file, which may
 /// have been finished by an earlier program.
 [[nodiscard]] Database open_ledger(const std::filesystem::path& file);
-/// Whether the database has such a table; earlier schema versions lack some.
+/// Lets an older ledger that is only read look like one of this version: tables and columns that it lacks are
+/// empty, in this connection alone.
+void show_as_present(const Database& database);
+/// Whether the file has such a table; earlier schema versions lack some.
 [[nodiscard]] bool has_table(const Database& database, std::string_view table);
 
 /// True if the database holds nothing at all.

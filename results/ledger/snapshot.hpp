@@ -1,6 +1,7 @@
 // A campaign's database as plain data, read in one consistent read-only transaction.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "results/files/error.hpp"
+#include "solver/channels.hpp"
 #include "solver/simulate.hpp"
 
 namespace cpt::results {
@@ -22,12 +24,14 @@ struct CampaignRow {
   std::string program_version, solver_version;
   std::string created;     ///< UTC, ISO 8601
   std::string curve_file;  ///< file name of the HDF5 mirror
+  int one = 1;             ///< there is one row
 };
 
 /// Row of `layer`.
 struct LayerRow {
   double top_m, bottom_m;
-  std::string soil;  ///< "sand" or "clay"
+  std::string soil;  ///< its name
+  int position = 0;  ///< from the top, 1 first
 };
 
 /// Row of `parameter`; numbers in the study's unit, an index for a choice, whose names are the texts.
@@ -35,6 +39,7 @@ struct ParameterRow {
   std::string name, symbol, unit, meaning;
   double baseline, lower, upper;
   std::string baseline_text, lower_text, upper_text;
+  int position = 0;  ///< in the study, 1 first
 };
 
 /// Row of `realization`. Numbers that are not known yet are NaN or 0.
@@ -50,6 +55,7 @@ struct RealizationRow {
   std::int64_t steps = 0, material_points = 0;
   std::string settings_hash, solver_version, started, finished;
   solver::Audit audit;
+  std::int64_t former_study = 0;  ///< of an unused run: the study that it belonged to
   std::string out_of_line;  ///< of a snapshot: what its audit has out of line (view `audit`); else empty
   [[nodiscard]] bool waiting() const { return status == "pending" || status == "running"; }
   [[nodiscard]] bool completed() const { return status == "completed"; }
@@ -61,6 +67,17 @@ struct WindowRow {
   std::string name, kind;
   double from_m, to_m;
   std::string problem;  ///< why the window is not resolved; empty if it is
+  int position = 0;     ///< in the study, 1 first
+  double search_from_m, search_to_m;
+  double width_m;  ///< NaN of a fixed window
+};
+
+/// Row of `realization_input`: what a quantity that the study varies is in a realization.
+struct InputRow {
+  int realization = 0;
+  std::string quantity;
+  double value;            ///< study unit; of a choice the index of the alternative
+  std::string value_text;  ///< of a choice its name
 };
 
 /// Row of `window_mean`. Of an imported average the least and the largest q_c may be NaN.
@@ -68,6 +85,9 @@ struct WindowMeanRow {
   int realization = 0;
   std::string window;
   double from_m, to_m, q_c_mean_kPa, q_c_min_kPa, q_c_max_kPa;
+  int bins = 0;  ///< 0 of an imported average
+  /// Of the channels behind q_c in their order (solver/channels.hpp); NaN where one was not recorded.
+  std::array<double, solver::channel_count - 1> other_means_kPa;
 };
 
 /// Row of `repeat_noise`: the baseline and its repeats.
@@ -102,6 +122,8 @@ struct CurveRow {
 struct ImportRow {
   std::string file, sha256;
   std::string imported;  ///< when; UTC, ISO 8601
+  std::string program_version;
+  int position = 0;
 };
 
 struct Snapshot {
@@ -109,6 +131,7 @@ struct Snapshot {
   std::vector<LayerRow> layers;
   std::vector<ParameterRow> parameters;      ///< in the study's order
   std::vector<RealizationRow> realizations;  ///< by id
+  std::vector<InputRow> inputs;              ///< by realization
   std::vector<WindowRow> windows;            ///< in the study's order
   std::vector<WindowMeanRow> window_means;
   std::vector<RepeatNoiseRow> repeat_noise;

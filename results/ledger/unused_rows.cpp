@@ -11,54 +11,27 @@
 #include <tuple>
 #include <utility>
 
+#include "results/ledger/ledger_tables.hpp"
 #include "results/ledger/schema.hpp"
 
 namespace cpt::results {
 namespace {
 
-/// Adds a run as it was stored elsewhere under its row's id; of `unused` with a former study.
-void insert_run(const Database& database, const StoredRun& run, const RunTables& tables,
-                std::int64_t study = 0) {
-  const RealizationRow& r = run.row;
-  const bool aside = tables.run == std::string_view(unused_tables.run);
-  Statement row = database.prepare(fmt::format(
-      "INSERT INTO {} (id, {}{}) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?{})",
-      tables.run, run_columns, aside ? ", study" : "", aside ? ", ?" : ""));
-  row.bind(r.id)
-      .bind_or_null(r.parameter)
-      .bind(r.side)
-      .bind(r.value)
-      .bind(r.value_text)
-      .bind(r.status)
-      .bind(r.reason)
-      .bind(r.wall_s)
-      .bind(r.steps)
-      .bind(r.material_points)
-      .bind(r.settings_hash)
-      .bind(r.solver_version)
-      .bind_or_null(r.started)
-      .bind_or_null(r.finished)
-      .bind(r.audit.mass_error)
-      .bind(r.audit.momentum_error)
-      .bind(r.audit.energy_error)
-      .bind(r.audit.kinetic_fraction)
-      .bind(r.audit.max_empty_cells)
-      .bind(r.audit.min_time_step)
-      .bind(r.audit.max_time_step);
-  if (aside) row.bind(study);
-  row.run();
-  if (run.profile)
-    database.prepare(fmt::format("INSERT INTO {} VALUES (?, ?, ?, ?, ?)", tables.curve))
-        .bind(r.id)
-        .bind(static_cast<std::int64_t>(run.profile->depth.size()))
-        .bind(run.profile->depth)
-        .bind(run.profile->q_c)
-        .bind(run.profile->f_s)
-        .run();
+/// Adds a run as it was stored elsewhere under its row's id.
+void insert_run(const Database& database, const StoredRun& run, const RunTables& tables) {
+  insert_row(database, run_table(tables), run.row);
+  if (run.profile) insert_row(database, curve_table(tables), {run.row.id, *run.profile});
   database.prepare(fmt::format("INSERT INTO {} VALUES (?, ?)", tables.checksum))
-      .bind(r.id)
-      .bind(outcome_checksum(database, r.id, tables))
+      .bind(run.row.id)
+      .bind(outcome_checksum(database, run.row.id, tables))
       .run();
+}
+
+/// Columns but the first, which says whose they are.
+template <class Row>
+std::string columns_behind(const RowTable<Row>& table) {
+  const std::string names = names_of(table.columns);
+  return names.substr(names.find(", ") + 2);
 }
 
 /// The row of the study as it is stored now, among those whose results are unused; made where there is none.
@@ -119,8 +92,9 @@ int keep_salvaged(const Database& database, const Salvage& salvaged) {
       study = database.integer("SELECT max(id) FROM former_study");
     }
     run.row.id = static_cast<int>(++id);
+    run.row.former_study = study;
     try {
-      insert_run(database, run, unused_tables, study);
+      insert_run(database, run, unused_tables);
       ++kept;
     } catch (const ConstraintViolation&) {
       // What it changed is not covered by its checksum, and is no longer readable.
@@ -132,6 +106,7 @@ int keep_salvaged(const Database& database, const Salvage& salvaged) {
 std::vector<StoredRun> completed_runs(const std::filesystem::path& other) {
   const Database database(other, Database::Mode::read_only);
   check_schema(database);
+  show_as_present(database);
   const Transaction transaction(database, Transaction::Kind::read);
   std::vector<StoredRun> runs;
   // Tables alone: the views of an earlier program may lack what this one reads of them.
@@ -158,17 +133,18 @@ void keep_unused(const Database& database) {
   database
       .prepare(fmt::format("INSERT INTO unused (id, {0}, study) SELECT ? - id, {0}, ? FROM realization WHERE "
                            "id < 0 ORDER BY id DESC",
-                           run_columns))
+                           columns_behind(run_table(in_use_tables))))
       .bind(last)
       .bind(study)
       .run();
   for (const auto& [from, to, columns] :
-       {std::tuple{in_use_tables.curve, unused_tables.curve, "bins, depth_m, q_c_Pa, f_s_Pa"},
+       {std::tuple{in_use_tables.curve, unused_tables.curve, columns_behind(curve_table(in_use_tables))},
         {in_use_tables.checksum, unused_tables.checksum, "sha256"}})
     database
-        .prepare(fmt::format("INSERT INTO {} SELECT ? - realization, {} FROM {} WHERE realization < 0 ORDER "
-                             "BY realization DESC",
-                             to, columns, from))
+        .prepare(fmt::format(
+            "INSERT INTO {0} (realization, {1}) SELECT ? - realization, {1} FROM {2} WHERE realization < 0 "
+            "ORDER BY realization DESC",
+            to, columns, from))
         .bind(last)
         .run();
   database.execute("DELETE FROM realization WHERE id < 0");
@@ -181,15 +157,17 @@ void forget_former_studies(const Database& database) {
 void use_again(const Database& database, std::int64_t unused_id, int id, const RealizationInput& input) {
   database
       .prepare(fmt::format("INSERT INTO realization (id, {0}) SELECT ?, {0} FROM unused WHERE id = ?",
-                           run_columns))
+                           columns_behind(run_table(in_use_tables))))
       .bind(id)
       .bind(unused_id)
       .run();
   for (const auto& [from, to, columns] :
-       {std::tuple{unused_tables.curve, in_use_tables.curve, "bins, depth_m, q_c_Pa, f_s_Pa"},
+       {std::tuple{unused_tables.curve, in_use_tables.curve, columns_behind(curve_table(in_use_tables))},
         {unused_tables.checksum, in_use_tables.checksum, "sha256"}})
     database
-        .prepare(fmt::format("INSERT INTO {} SELECT ?, {} FROM {} WHERE realization = ?", to, columns, from))
+        .prepare(
+            fmt::format("INSERT INTO {0} (realization, {1}) SELECT ?, {1} FROM {2} WHERE realization = ?", to,
+                        columns, from))
         .bind(id)
         .bind(unused_id)
         .run();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -105,8 +106,9 @@ void write_histories(const std::filesystem::path& file, const Histories& histori
     put_all(root.add_group("walls"), histories.walls);
     const Hdf5Group profile = root.add_group("profile");
     profile.put_array("depth", histories.profile.depth, "m");
-    profile.put_array("q_c", histories.profile.q_c, "Pa");
-    profile.put_array("f_s", histories.profile.f_s, "Pa");
+    for (const solver::Channel& channel : solver::channels())
+      if (channel.required || !(histories.profile.*channel.values).empty())
+        profile.put_array(std::string(channel.name), histories.profile.*channel.values, "Pa");
     put(root.add_group("end"), histories.end);
   });
 }
@@ -120,7 +122,11 @@ Histories read_histories(const std::filesystem::path& file) {
       histories.points = all_of(root.group("points"), point_of);
       histories.walls = all_of(root.group("walls"), wall_of);
       const Hdf5Group profile = root.group("profile");
-      histories.profile = {profile.array("depth"), profile.array("q_c"), profile.array("f_s")};
+      histories.profile.depth = profile.array("depth");
+      const std::vector<std::string> stored = profile.names();
+      for (const solver::Channel& channel : solver::channels())
+        if (channel.required || std::ranges::find(stored, channel.name) != stored.end())
+          histories.profile.*channel.values = profile.array(std::string(channel.name));
       histories.end = soil_of(root.group("end"));
     });
   } catch (const Error& error) {

@@ -20,7 +20,7 @@ struct Average {
 
 std::vector<Average> averages_around(const solver::DepthProfile& profile, const Interval& interval) {
   const double width = interval.to - interval.from;
-  const solver::DepthProfile depths{profile.depth, profile.depth, profile.f_s};
+  const solver::DepthProfile depths{profile.depth, profile.depth, {}, {}};
   std::vector<Average> found;
   const auto try_at = [&](int shift) {
     const Interval here = {interval.from + shift * width, interval.to + shift * width};

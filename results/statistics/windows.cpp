@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 namespace cpt::results {
 namespace {
@@ -64,6 +65,17 @@ Resolved<WindowMean> average(const solver::DepthProfile& profile, const Interval
             fmt::format("no depth bin of q_c lies between {:.6g} and {:.6g} m", interval.from, interval.to)};
   mean.mean = sum / mean.bins;
   return {mean, ""};
+}
+
+double channel_average(const solver::DepthProfile& profile, const solver::Channel& channel,
+                       const Interval& interval) {
+  const std::vector<double>& values = profile.*channel.values;
+  double sum = 0.0;
+  int bins = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (inside(profile.depth[i], interval.from, interval.to) && std::isfinite(values[i]))
+      sum += values[i], ++bins;
+  return bins > 0 ? sum / bins : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace cpt::results

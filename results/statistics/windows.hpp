@@ -37,4 +37,8 @@ struct Resolved {
 /// Averages the bins with centres in [from, to], in order of depth.
 [[nodiscard]] Resolved<WindowMean> average(const solver::DepthProfile& profile, const Interval& interval);
 
+/// Mean [Pa] of a channel over the same bins; NaN where it was not recorded there.
+[[nodiscard]] double channel_average(const solver::DepthProfile& profile, const solver::Channel& channel,
+                                     const Interval& interval);
+
 }  // namespace cpt::results

@@ -12,6 +12,7 @@
 #include "results/ledger/schema.hpp"
 #include "results/statistics/effects.hpp"
 #include "results/tables/statement_rows.hpp"
+#include "solver/channels.hpp"
 #include "solver/quantities.hpp"
 
 namespace cpt::results {
@@ -20,7 +21,7 @@ namespace {
 constexpr std::array<NamedQuery, 7> questions = {{
     {"realizations",
      "every realization: its parameter, value, status, cost and audit, and what is out of line"},
-    {"windows", "every realization's q_c in every window, with the window's depths"},
+    {"windows", "every realization's q_c and other channels in every window, with the window's depths"},
     {"sensitivity", "sensitivity index of every parameter in every window, with its interval and the noise"},
     {"tornado", "range of q_c between each parameter's bounds, widest first"},
     {"failures", "realizations that failed, with the reason"},
@@ -36,7 +37,8 @@ constexpr std::array<std::string_view, questions.size() - 1> question_statements
     "AS r "
     "JOIN audit ON audit.realization = id ORDER BY id",
     "SELECT m.window, m.realization, r.parameter, r.side, r.value_text AS value, m.from_m, m.to_m, m.bins, "
-    "m.q_c_mean_kPa, m.q_c_min_kPa, m.q_c_max_kPa FROM window_mean AS m JOIN realization AS r ON r.id = "
+    "m.q_c_mean_kPa, m.q_c_min_kPa, m.q_c_max_kPaOTHER_MEANS FROM window_mean AS m JOIN realization AS r ON "
+    "r.id = "
     "m.realization "
     "JOIN depth_window AS w ON w.name = m.window ORDER BY w.position, m.realization",
     "SELECT * FROM sensitivity",
@@ -79,6 +81,17 @@ std::string nearest_in(const Database& database, std::string_view complaint) {
   return meant("no such table: ", tables) + meant("no such column: ", columns);
 }
 
+// With the averages of all channels behind q_c.
+std::string with_channels(std::string sql) {
+  constexpr std::string_view place = "OTHER_MEANS";
+  const std::size_t at = sql.find(place);
+  if (at == sql.npos) return sql;
+  std::string columns;
+  for (const solver::Channel& channel : solver::channels().subspan(1))
+    columns += ", m." + in_unit(channel, "mean_kPa");
+  return sql.replace(at, place.size(), columns);
+}
+
 // What is marked as running in a campaign that nobody runs was running when it ended.
 std::string said_of_now(std::string_view statement, const Database& database) {
   std::string sql(statement);
@@ -109,7 +122,7 @@ Table query(const Database& database, std::string_view name) {
   if (name == "unused" && !has_table(database, "unused")) return {};  // an earlier schema version
   for (std::size_t i = 0; i < question_statements.size(); ++i)
     if (questions[i].name == name)
-      return rows_of(database.prepare(said_of_now(question_statements[i], database)));
+      return rows_of(database.prepare(with_channels(said_of_now(question_statements[i], database))));
   std::vector<std::string_view> known;
   for (const NamedQuery& question : questions) known.push_back(question.name);
   const std::string_view near = parameters::nearest_name(name, known);

@@ -6,58 +6,24 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-
-#include "results/ledger/setup_text.hpp"
-#include "solver/quantities.hpp"
+#include <string>
+#include <utility>
 
 namespace cpt::results {
 namespace {
 
-using Texts = std::map<std::string, std::string>;  // values by the names of inputs
-
-/// "sand.H = 75, sand.N = 0.2"
-std::vector<std::pair<std::string, std::string>> changes_of(const std::string& value_text) {
-  std::vector<std::pair<std::string, std::string>> changes;
-  for (std::size_t from = 0; from < value_text.size();) {
-    const std::size_t to = std::min(value_text.find(", ", from), value_text.size());
-    const std::string change = value_text.substr(from, to - from);
-    if (const auto equals = change.find(" = "); equals != change.npos)
-      changes.emplace_back(change.substr(0, equals), change.substr(equals + 3));
-    from = to + 2;
+/// What varies: the study's parameters in its order, then what its points change.
+std::vector<std::string> varied_of(const Snapshot& s) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (const ParameterRow& parameter : s.parameters) add(parameter.name);
+  for (const InputRow& input : s.inputs) {
+    if (input.realization != s.inputs.front().realization) break;  // the same of all
+    add(input.quantity);
   }
-  return changes;
-}
-
-bool is_point(const RealizationRow& run) { return run.side == "point" || run.side == "repeat"; }
-
-std::vector<std::string> inputs_of(const Snapshot& s) {
-  std::vector<std::string> inputs;
-  for (const ParameterRow& parameter : s.parameters) inputs.push_back(parameter.name);
-  for (const RealizationRow& run : s.realizations)
-    if (is_point(run))
-      for (const auto& [name, value] : changes_of(run.value_text))
-        if (std::find(inputs.begin(), inputs.end(), name) == inputs.end()) inputs.push_back(name);
-  return inputs;
-}
-
-Texts baseline_of(const Snapshot& s) {
-  static const solver::Setup defaults;
-  Texts baseline;
-  for (const solver::Quantity& quantity : solver::all_quantities())  // those that a setup's text leaves out
-    if (quantity.silent_default)
-      baseline[std::string(quantity.name)] = quantity.format(quantity.value(defaults));
-  for (auto& [name, value] : setup_by_name(s.campaign.baseline_setup))
-    baseline[name] = value.substr(0, value.find(" (SI "));
-  for (const ParameterRow& parameter : s.parameters) baseline[parameter.name] = parameter.baseline_text;
-  return baseline;
-}
-
-Texts inputs_of(const RealizationRow& run, Texts baseline) {
-  if (is_point(run))
-    for (const auto& [name, value] : changes_of(run.value_text)) baseline[name] = value;
-  else if (!run.parameter.empty())
-    baseline[run.parameter] = run.value_text;
-  return baseline;
+  return names;
 }
 
 Cell cell_of(const std::string& text) {
@@ -69,7 +35,7 @@ Cell cell_of(const std::string& text) {
 }
 
 std::string name_of(const RealizationRow& run) {
-  if (is_point(run)) return run.parameter;
+  if (run.side == "point" || run.side == "repeat") return run.parameter;
   return run.parameter.empty() ? run.side : run.parameter + " " + run.side;
 }
 
@@ -85,7 +51,7 @@ std::string word_of(const Cell& cell) {
 
 Table samples_table(const Snapshot& s) {
   Table table{{"realization", "name", "status", "reason"}, {}};
-  const std::vector<std::string> inputs = inputs_of(s);
+  const std::vector<std::string> inputs = varied_of(s);
   table.columns.insert(table.columns.end(), inputs.begin(), inputs.end());
   for (const WindowRow& window : s.windows)
     for (const char* what : {"mean", "min", "max"})
@@ -93,14 +59,17 @@ Table samples_table(const Snapshot& s) {
   std::map<std::pair<int, std::string>, const WindowMeanRow*> means;
   for (const WindowMeanRow& mean : s.window_means) means[{mean.realization, mean.window}] = &mean;
 
-  const Texts baseline = baseline_of(s);
+  std::map<std::pair<int, std::string>, const InputRow*> input_of;
+  for (const InputRow& input : s.inputs) input_of[{input.realization, input.quantity}] = &input;
   for (const RealizationRow& run : s.realizations) {
     std::vector<Cell>& row = table.rows.emplace_back();
     row.reserve(table.columns.size());
     row.emplace_back(std::int64_t{run.id});
     for (const std::string& text : {name_of(run), run.status, run.reason}) row.emplace_back(text);
-    Texts values = inputs_of(run, baseline);
-    for (const std::string& input : inputs) row.push_back(cell_of(values[input]));
+    for (const std::string& input : inputs) {
+      const auto found = input_of.find({run.id, input});
+      row.push_back(found == input_of.end() ? Cell() : cell_of(found->second->value_text));
+    }
     for (const WindowRow& window : s.windows) {
       const auto found = means.find({run.id, window.name});
       for (const auto member :

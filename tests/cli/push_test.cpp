@@ -33,7 +33,7 @@ TEST(Push, WritesFieldsHistoriesProfileAndRadialProfile) {
   for (const char* file : {"out/small-fields/small.pvd", "out/small-fields/small-0m.vtu",
                            "out/small-fields/small-0.023m.vtu", "out/small-histories.h5"})
     EXPECT_TRUE(std::filesystem::exists(folder.file(file))) << file;
-  expect_has(folder.read("out/small-profile.csv"), "depth_m,q_c_kPa,f_s_kPa");
+  expect_has(folder.read("out/small-profile.csv"), "depth_m,q_c_kPa,f_s_kPa,wall_stress_kPa");
   expect_has(folder.read("out/small-radial.csv"), "r_m,points,void_ratio_start");
   EXPECT_FALSE(std::filesystem::exists(folder.file("small.sqlite"))) << "the campaign is not touched";
 }

@@ -149,8 +149,8 @@ TEST_F(Assembling, UnmeasuredPushesAreTheirBaselines) {
     for (const double q_c : curve.profile.q_c) curve.profile.f_s.push_back(0.01 * q_c * q_c / 1e6);
   soundings[0].recording.readings.clear();
   const NoiseModel noise{Kernel::ar1, 0.02, 0.01};
-  const Problem tip = assemble_unmeasured(request, soundings, Measured::q_c, noise).problem;
-  const Problem sleeve = assemble_unmeasured(request, soundings, Measured::f_s, noise).problem;
+  const Problem tip = assemble_unmeasured(request, soundings, solver::channel("q_c"), noise).problem;
+  const Problem sleeve = assemble_unmeasured(request, soundings, solver::channel("f_s"), noise).problem;
   EXPECT_EQ(tip.recorded, tip.baseline);
   EXPECT_EQ(sleeve.recorded, sleeve.baseline);
   EXPECT_DOUBLE_EQ(tip.measurement->deviation, 0.02);

@@ -47,8 +47,11 @@ to_m = 0.0255
 
 std::string bytes_of(const solver::DepthProfile& profile) {
   std::string bytes;
-  for (const std::vector<double>* values : {&profile.depth, &profile.q_c, &profile.f_s})
-    bytes.append(reinterpret_cast<const char*>(values->data()), values->size() * sizeof(double));
+  const auto append = [&](const std::vector<double>& values) {
+    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double));
+  };
+  append(profile.depth);
+  for (const solver::Channel& channel : solver::channels()) append(profile.*channel.values);
   return results::sha256(bytes);
 }
 

@@ -119,7 +119,7 @@ TEST_F(Page, PointerReadsAndHighlightsTheNearestCurve) {
   EXPECT_EQ(value("[...document.querySelectorAll('path.lit')].map((p) => Number(p.dataset.id))"),
             json({hard}));
   EXPECT_EQ(text(".tip").find("H = 75"), 0U) << text(".tip");
-  const double q = value("q_at(curve_of.get(" + std::to_string(hard) + "), shown.depth)");
+  const double q = value("value_at(curve_of.get(" + std::to_string(hard) + "), shown.depth)");
   EXPECT_NE(text(".tip").find(value("number(" + std::to_string(q) + ")").get<std::string>()),
             std::string::npos);
 
@@ -205,8 +205,8 @@ TEST_F(Page, EverythingCanBeDoneWithTheKeyboard) {
   browser->press("ArrowRight");
   const int second = value("shown.lit");
   EXPECT_NE(first, second);
-  EXPECT_LE(value("q_at(curve_of.get(" + std::to_string(first) + "), shown.depth)").get<double>(),
-            value("q_at(curve_of.get(" + std::to_string(second) + "), shown.depth)").get<double>());
+  EXPECT_LE(value("value_at(curve_of.get(" + std::to_string(first) + "), shown.depth)").get<double>(),
+            value("value_at(curve_of.get(" + std::to_string(second) + "), shown.depth)").get<double>());
   EXPECT_NE(text("#readout").find("kPa"), std::string::npos);
   const double depth = value("shown.depth");
   browser->press("ArrowDown");

@@ -32,8 +32,8 @@ TEST_F(CurveStore, HoldsEveryCurveWithItsAttributes) {
   const solver::DepthProfile expected = curve(6e6);
   EXPECT_EQ(curves[2].depth_m, expected.depth);
   for (std::size_t i = 0; i < expected.q_c.size(); ++i) {
-    ASSERT_EQ(curves[2].q_c_kPa[i], expected.q_c[i] / 1e3);
-    ASSERT_EQ(curves[2].f_s_kPa[i], expected.f_s[i] / 1e3);
+    ASSERT_EQ(curves[2].channels_kPa.at("q_c")[i], expected.q_c[i] / 1e3);
+    ASSERT_EQ(curves[2].channels_kPa.at("f_s")[i], expected.f_s[i] / 1e3);
   }
 }
 

@@ -2,9 +2,12 @@
 // settings again.
 #include <fmt/format.h>
 
+#include <tuple>
+
 #include "results/files/database.hpp"
 #include "results/ledger/curve_store.hpp"
 #include "results/ledger/matching.hpp"
+#include "results/ledger/schema.hpp"
 #include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
@@ -204,9 +207,8 @@ TEST_F(Unused, AreSavedFromADamagedDatabase) {
   }
   // The structure is broken, the rows are whole.
   execute(
-      "PRAGMA foreign_keys = OFF; PRAGMA writable_schema = ON; INSERT INTO window_mean VALUES (99, 'deep', "
-      "0, 0, "
-      "1, 1, 1, 1)");
+      "PRAGMA foreign_keys = OFF; PRAGMA writable_schema = ON; INSERT INTO window_mean (realization, "
+      "window, from_m, to_m, q_c_mean_kPa) VALUES (99, 'deep', 0, 0, 1)");
   {
     const Ledger ledger = open(edited);
     EXPECT_EQ(ledger.opened().kept, 8);
@@ -252,24 +254,41 @@ TEST_F(Unused, ALookAtWhatAStudyAsksForWritesNothing) {
   EXPECT_EQ(everything(), before);
 }
 
-// Ledgers of all earlier schema versions: none has unused runs.
+std::vector<std::tuple<int, std::string, double, std::string>> inputs_of(const Snapshot& snapshot) {
+  std::vector<std::tuple<int, std::string, double, std::string>> inputs;
+  for (const InputRow& row : snapshot.inputs)
+    inputs.emplace_back(row.realization, row.quantity, row.value, row.value_text);
+  return inputs;
+}
+
+// Ledgers of all earlier schema versions; only the last of them had unused runs.
 TEST_F(Unused, OlderLedgersAreUpgradedByTheEdit) {
-  for (const int version : {1, 2, 3, 4}) {
+  for (const int version : {1, 2, 3, 4, 5}) {
     std::filesystem::remove(study.database);
     run_all(study);
     const std::string before = everything();
+    const Snapshot now = read_snapshot(study.database);
     std::string older =
-        "DROP TABLE unused_checksum; DROP TABLE unused_curve; DROP TABLE unused; DROP TABLE former_study;";
+        "DROP TABLE realization_input; ALTER TABLE curve DROP COLUMN wall_stress_Pa;"
+        "ALTER TABLE unused_curve DROP COLUMN wall_stress_Pa; ALTER TABLE window_mean DROP COLUMN "
+        "f_s_mean_kPa;"
+        "ALTER TABLE window_mean DROP COLUMN wall_stress_mean_kPa;";
+    if (version < 5)
+      older +=
+          "DROP TABLE unused_checksum; DROP TABLE unused_curve; DROP TABLE unused; DROP TABLE former_study;";
     if (version < 4) older += "DROP TABLE import;";
     if (version < 3) older += "DROP VIEW tornado; DROP VIEW sensitivity; DROP TABLE repeat_noise;";
     execute(older + "PRAGMA user_version = " + std::to_string(version));
     EXPECT_EQ(prospect(study)->opened.kept, 7);
     EXPECT_EQ(count("PRAGMA user_version"), version) << "a look upgrades nothing";
+    const Snapshot looked = read_snapshot(study.database);
+    EXPECT_EQ(looked.curves.size(), 7u) << version;
+    EXPECT_EQ(inputs_of(looked), inputs_of(now)) << "read from texts, as they were stored then";
 
     parameters::Study edited = study;
     fix_friction(edited);
     EXPECT_EQ(open(edited).opened().set_aside, 8);
-    EXPECT_EQ(count("PRAGMA user_version"), 5);
+    EXPECT_EQ(count("PRAGMA user_version"), schema_version);
     EXPECT_TRUE(open(study).pending().empty());
     EXPECT_EQ(everything(), before) << version;
   }
