@@ -19,15 +19,30 @@ std::int32_t capacity_for(std::int32_t count) {
 }
 
 // A massless point in a state that every law accepts: 10 kPa isotropic compression.
-constexpr Point dummy = {
-    {1.0, 0.0, 0.0, 0.0, -1e4, -1e4, -1e4, 0.0, 0.0, 0.0, 0.7, 5e3, 0.0, 0.0, 0.0, -1.0}};
+constexpr PointValues dummy = values_of({.r = 1.0,
+                                         .z = 0.0,
+                                         .v_r = 0.0,
+                                         .v_z = 0.0,
+                                         .s_rr = -1e4,
+                                         .s_zz = -1e4,
+                                         .s_tt = -1e4,
+                                         .s_rz = 0.0,
+                                         .mass = 0.0,
+                                         .volume = 0.0,
+                                         .e = 0.7,
+                                         .h_0 = 5e3,
+                                         .xi = 0.0,
+                                         .eta = 0.0,
+                                         .load = 0.0,
+                                         .id = -1.0,
+                                         .h_1 = 0.0});
 
 double& at(const Bucket& bucket, std::int32_t field, std::int32_t slot) {
   return bucket.data[static_cast<std::ptrdiff_t>(field) * bucket.capacity + slot];
 }
 
 void make_dummy(const Bucket& bucket, std::int32_t slot) {
-  for (std::int32_t f = 0; f < field_count; ++f) at(bucket, f, slot) = dummy.field[f];
+  for (std::int32_t f = 0; f < field_count; ++f) at(bucket, f, slot) = dummy[static_cast<std::size_t>(f)];
 }
 
 }  // namespace
@@ -48,7 +63,9 @@ MaterialPoints::MaterialPoints(const std::vector<Point>& points, const std::vect
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
     Bucket& bucket = buckets_[bucket_of[k]];
-    for (std::int32_t f = 0; f < field_count; ++f) at(bucket, f, bucket.count) = points[k].field[f];
+    const PointValues values = values_of(points[k]);
+    for (std::int32_t f = 0; f < field_count; ++f)
+      at(bucket, f, bucket.count) = values[static_cast<std::size_t>(f)];
     ++bucket.count;
   }
 }
@@ -88,7 +105,7 @@ void MaterialPoints::grow(Bucket& bucket) {
   larger.count = bucket.count;
   for (std::int32_t f = 0; f < field_count; ++f)
     for (std::int32_t slot = 0; slot < larger.capacity; ++slot)
-      at(larger, f, slot) = slot < bucket.count ? at(bucket, f, slot) : dummy.field[f];
+      at(larger, f, slot) = slot < bucket.count ? at(bucket, f, slot) : dummy[static_cast<std::size_t>(f)];
   return_block(bucket);
   bucket = larger;
 }

@@ -6,6 +6,8 @@
 // order whatever the number of threads.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -49,10 +51,13 @@ struct Bucket {
   [[nodiscard]] std::size_t padded() const { return static_cast<std::size_t>((count + 7) / 8 * 8); }
 };
 
-/// One point, to be put into a bucket.
+/// One point, to be put into a bucket: its fields in the order of PointFields.
 struct Point {
-  double field[field_count];
+  double r, z, v_r, v_z, s_rr, s_zz, s_tt, s_rz, mass, volume, e, h_0, xi, eta, load, id, h_1;
 };
+using PointValues = std::array<double, field_count>;
+static_assert(sizeof(Point) == sizeof(PointValues), "as many as in PointFields");
+[[nodiscard]] constexpr PointValues values_of(const Point& point) { return std::bit_cast<PointValues>(point); }
 
 class MaterialPoints {
  public:

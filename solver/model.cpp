@@ -27,7 +27,7 @@ Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std:
         std::vector<Point> located = points;
         std::vector<std::int32_t> bucket_of(points.size());
         for (std::size_t k = 0; k < points.size(); ++k) {
-          const Location at = mesh_.locate(points[k].field[0], points[k].field[1]);
+          const Location at = mesh_.locate(points[k].r, points[k].z);
           bucket_of[k] = at.cell * settings.materials + material_of[k];
         }
         return MaterialPoints(located, bucket_of, static_cast<std::int32_t>(mesh_.cells().size()),

@@ -11,6 +11,7 @@
 #include "results/files/database.hpp"
 #include "results/files/refusal.hpp"
 #include "results/ledger/ledger_rows.hpp"
+#include "results/ledger/schema.hpp"
 
 namespace cpt::results {
 
@@ -45,6 +46,10 @@ Salvage salvage(const std::filesystem::path& damaged, int largest_id_unless_told
     database.emplace(damaged, Database::Mode::salvage);
   } catch (const Error&) {
     return found;
+  }
+  try {
+    show_as_present(*database);
+  } catch (const Error&) {
   }
   try {
     if (database->integer("SELECT count(*) FROM import") > 0) return found;  // not this program's

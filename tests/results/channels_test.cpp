@@ -1,12 +1,11 @@
-// Every channel of a push comes through the ledger: curve, averages, export, HDF5; and every input can be
-// asked in SQL.
+// Every channel of a push comes through the ledger: curve, averages, export, HDF5; and every input can be asked in SQL.
 #include "solver/channels.hpp"
 
 #include <algorithm>
 
-#include "results/files/database.hpp"
-#include "results/ledger/curve_store.hpp"
 #include "results/tables/campaign_tables.hpp"
+#include "results/ledger/curve_store.hpp"
+#include "results/files/database.hpp"
 #include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
@@ -35,9 +34,9 @@ TEST_F(Channels, AreStoredToTheBit) {
   const solver::DepthProfile stored = read_run(study.database, 1)->profile.value();
   for (const solver::Channel& channel : solver::channels())
     EXPECT_EQ(stored.*channel.values, sent.*channel.values) << channel.name;
+  const solver::DepthProfile earlier = read_run(study.database, 2)->profile.value();
   for (const solver::Channel& channel : solver::channels())
-    if (!channel.required)
-      EXPECT_TRUE((read_run(study.database, 2)->profile.value().*channel.values).empty());
+    EXPECT_EQ((earlier.*channel.values).empty(), !channel.required) << channel.name;
 }
 
 TEST_F(Channels, AreAveragedInEachWindow) {
@@ -57,10 +56,11 @@ TEST_F(Channels, AreExportedAndMirrored) {
   const StoredCurve curve = read_curves(study.curves).front();
   EXPECT_EQ(curve.channels_kPa.size(), solver::channels().size());
   EXPECT_EQ(read_curves(study.curves)[1].channels_kPa.size(), 2U);
-  for (const NamedTable& table : campaign_tables(study.database))
-    if (table.name == "curve")
-      EXPECT_EQ(table.table.columns,
-                (std::vector<std::string>{"realization", "depth_m", "q_c_Pa", "f_s_Pa", "wall_stress_Pa"}));
+  const std::vector<NamedTable> tables = campaign_tables(study.database);
+  const auto curves = std::ranges::find(tables, "curve", &NamedTable::name);
+  ASSERT_NE(curves, tables.end());
+  EXPECT_EQ(curves->table.columns,
+            (std::vector<std::string>{"realization", "depth_m", "q_c_Pa", "f_s_Pa", "wall_stress_Pa"}));
 }
 
 TEST_F(Channels, AChangedBitOfAnyIsFound) {

@@ -24,8 +24,8 @@ solver::MaterialPoints stored(const std::vector<solver::PointState>& states) {
   std::vector<std::int32_t> buckets;
   for (const solver::PointState& s : states) {
     const double volume_per_radian = s.volume / (2.0 * 3.14159265358979323846);
-    points.push_back({{s.r, s.z, s.v_r, s.v_z, s.s_rr, s.s_zz, s.s_tt, s.s_rz, 1.0, volume_per_radian, s.e,
-                       s.h_0, 0.0, 0.0, 0.0, static_cast<double>(s.id)}});
+    points.push_back({s.r, s.z, s.v_r, s.v_z, s.s_rr, s.s_zz, s.s_tt, s.s_rz, 1.0, volume_per_radian, s.e,
+                      s.h_0, 0.0, 0.0, 0.0, static_cast<double>(s.id), 0.0});
     buckets.push_back(static_cast<std::int32_t>(s.material));
   }
   return {points, buckets, 1, 3};

@@ -88,8 +88,8 @@ TEST_F(Samples, DakotaHasWordsOnlyAndNaNForWhatFailed) {
   ASSERT_EQ(words.size(), 10U);  // a header and all but the pending one
   EXPECT_EQ(words[0],
             (std::vector<std::string>{"%eval_id", "interface", "sand.H", "sand.N", "chamber.radius_m",
-                                      "chamber.wall", "initial.sigma_h0_kPa",
-                                      "numerics.point_shift", "sand.nu", "deep.q_c_mean_kPa", "peak.q_c_mean_kPa"}));
+                                      "chamber.wall", "initial.sigma_h0_kPa", "numerics.point_shift",
+                                      "sand.nu", "deep.q_c_mean_kPa", "peak.q_c_mean_kPa"}));
   for (const auto& row : words) EXPECT_EQ(row.size(), words[0].size());
   EXPECT_EQ(words[1][1], "NO_ID");
   EXPECT_EQ(words[4][0], "4");

@@ -222,6 +222,19 @@ TEST_F(Unused, AreSavedFromADamagedDatabase) {
   EXPECT_EQ(read_run(study.database, 3)->profile->q_c, completed(3e6).profile.q_c);
 }
 
+TEST_F(Unused, RunsOfAnEarlierSchemaAreSavedFromADamagedDatabase) {
+  run_all(study);
+  execute(
+      "DROP TABLE realization_input; ALTER TABLE curve DROP COLUMN wall_stress_Pa;"
+      "ALTER TABLE unused_curve DROP COLUMN wall_stress_Pa; PRAGMA user_version = 5;"
+      "PRAGMA foreign_keys = OFF; PRAGMA writable_schema = ON; INSERT INTO window_mean (realization, "
+      "window, from_m, to_m, q_c_mean_kPa) VALUES (99, 'deep', 0, 0, 1)");
+  const Ledger ledger = open(study);
+  EXPECT_TRUE(tells(ledger, "sand.sqlite.damaged"));
+  EXPECT_EQ(ledger.opened().kept, 7);
+  EXPECT_EQ(read_run(study.database, 3)->profile->q_c, completed(3e6).profile.q_c);
+}
+
 TEST_F(Unused, AreToldBeforeAnythingIsWritten) {
   run_all(study);
   const std::string before = everything();

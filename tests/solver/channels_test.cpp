@@ -15,14 +15,14 @@
 namespace cpt::solver {
 namespace {
 
-Setup short_push(Wall wall) {
-  Setup setup = make_setup(Profile::homogeneous_sand, Preset::quick);
+solver::Setup short_push(Wall wall) {
+  solver::Setup setup = make_setup(Profile::homogeneous_sand, Preset::quick);
   setup.chamber.wall = wall;
   setup.penetrometer.final_depth = 0.10;
   return setup;
 }
 
-DepthProfile profile_of(const Setup& setup) {
+DepthProfile profile_of(const solver::Setup& setup) {
   Observer observer;
   const Outcome outcome = simulate(setup, observer, {2});
   EXPECT_EQ(outcome.status, Status::completed) << outcome.reason;
@@ -37,7 +37,7 @@ double mean(const std::vector<double>& values, std::size_t from, std::size_t to)
 
 // A flexible wall holds its stress, whatever the push does.
 TEST(WallStress, OfAFlexibleWallIsWhatItHolds) {
-  const Setup setup = short_push(Wall::flexible);
+  const solver::Setup setup = short_push(Wall::flexible);
   const DepthProfile profile = profile_of(setup);
   ASSERT_EQ(profile.wall_stress.size(), profile.depth.size());
   for (std::size_t k = 0; k < profile.depth.size(); ++k)
@@ -50,7 +50,7 @@ TEST(WallStress, OfAFlexibleWallIsWhatItHolds) {
 
 // A rigid wall takes the soil's own horizontal stress at first, and more once the push has displaced soil.
 TEST(WallStress, OfARigidWallStartsAtTheSoilsAndGrows) {
-  Setup setup = short_push(Wall::rigid);
+  solver::Setup setup = short_push(Wall::rigid);
   setup.chamber.radius = 0.20;
   const DepthProfile profile = profile_of(setup);
   const std::size_t n = profile.depth.size();

@@ -34,11 +34,11 @@ std::vector<double> thickness_by_volume(const solver::Setup& setup) {
     double clay = 0.0, lowest = 1.0;
     std::map<double, double> row;  // volume by height
     for (std::size_t k = 0; k < state.points.size(); ++k) {
-      const auto& field = state.points[k].field;  // r, z, ..., volume
-      if (field[0] < grid.inner || field[0] >= grid.outer) continue;
-      row[field[1]] += field[9];
-      lowest = std::min(lowest, field[1]);
-      if (state.material[k] == static_cast<std::int32_t>(default_clay)) clay += field[9];
+      const Point& point = state.points[k];
+      if (point.r < grid.inner || point.r >= grid.outer) continue;
+      row[point.z] += point.volume;
+      lowest = std::min(lowest, point.z);
+      if (state.material[k] == static_cast<std::int32_t>(default_clay)) clay += point.volume;
     }
     thickness.push_back(clay / row.at(lowest) * grid.dz);
   }

@@ -14,9 +14,10 @@ TEST(MaterialPoints, KeepsEveryPointThroughManyMoves) {
   std::vector<Point> points;
   std::vector<std::int32_t> bucket_of;
   for (std::uint32_t i = 0; i < 300; ++i) {
-    Point p{};
-    for (int f = 0; f < field_count; ++f) p.field[f] = i * 100.0 + f;
-    p.field[15] = i;  // id
+    PointValues values;
+    for (int f = 0; f < field_count; ++f) values[static_cast<std::size_t>(f)] = i * 100.0 + f;
+    auto p = std::bit_cast<Point>(values);
+    p.id = i;
     points.push_back(p);
     bucket_of.push_back(static_cast<std::int32_t>(i % 7) * materials + static_cast<std::int32_t>(i % 3));
   }

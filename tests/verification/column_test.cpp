@@ -59,7 +59,7 @@ double phase_error(int cells) {
   settings.courant = 0.25;
   const double V = 1e-4, k = std::numbers::pi / H, omega = k * std::sqrt(M / density);
   Model model = elastic_model(plain_layout(lines(0.0, 0.2, 1), lines(0.0, H, cells)), E, nu, density,
-                              settings, 4, [&](Point& p) { p.field[3] = V * std::sin(k * p.field[1]); });
+                              settings, 4, [&](Point& p) { p.v_z = V * std::sin(k * p.z); });
   model.compute_nodal_forces();
   const double end = std::numbers::pi / (2.0 * omega);
   const int steps = static_cast<int>(std::ceil(end / model.stable_time_step()));

@@ -27,7 +27,7 @@ class Cylinder {
     settings.courant = 0.5;
     Mesh mesh(layout);
     std::vector<Point> points =
-        fill(mesh, 4, density, [this](Point& p) { p.field[4] = p.field[5] = p.field[6] = -p_0_; });
+        fill(mesh, 4, density, [this](Point& p) { p.s_rr = p.s_zz = p.s_tt = -p_0_; });
     Model model(mesh, points, std::vector<std::int32_t>(points.size(), 0), one_soil(std::move(soil)),
                 settings);
 

@@ -14,14 +14,14 @@ TEST(FreeFall, KeepsMassMomentumAndShape) {
   Mesh mesh(layout);
   std::vector<Point> points;
   for (const Point& p : fill(mesh, 3, density))
-    if (p.field[1] > bottom && p.field[1] < top) points.push_back(p);
-  for (Point& p : points) p.field[3] = 0.3;
+    if (p.z > bottom && p.z < top) points.push_back(p);
+  for (Point& p : points) p.v_z = 0.3;
   settings.courant = 0.5;
   Model model(mesh, points, std::vector<std::int32_t>(points.size(), 0), one_soil(elastic_soil(1e6, 0.3)),
               settings);
 
   double mass0 = 0.0;
-  for (const Point& p : points) mass0 += p.field[8];
+  for (const Point& p : points) mass0 += p.mass;
   double t = 0.0;
   for (int i = 0; i < 300; ++i) {
     model.compute_nodal_forces();

@@ -53,8 +53,8 @@ TEST(PatchTest, LinearVelocityGivesExactStress) {
 
 TEST(PatchTest, UniformStressIsInEquilibriumInside) {
   Model model = elastic_model(sheared_layout(), E, nu, 2000.0, still(), 4, [](Point& p) {
-    p.field[4] = p.field[6] = -30e3;
-    p.field[5] = -80e3;
+    p.s_rr = p.s_tt = -30e3;
+    p.s_zz = -80e3;
   });
   model.compute_nodal_forces();
   const Mesh& mesh = model.mesh();
@@ -74,7 +74,7 @@ TEST(PatchTest, UniformStressIsInEquilibriumInside) {
 TEST(PatchTest, BoundaryForcesAreTheExactTractions) {
   const double p = 50e3;
   Model model = elastic_model(sheared_layout(), E, nu, 2000.0, still(), 4,
-                              [&](Point& point) { point.field[4] = point.field[5] = point.field[6] = -p; });
+                              [&](Point& point) { point.s_rr = point.s_zz = point.s_tt = -p; });
   model.compute_nodal_forces();
   double wall = 0.0, bottom = 0.0;
   for (const std::int32_t n : model.mesh().wall_nodes()) wall += model.nodes().f_r[n];

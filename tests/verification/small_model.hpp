@@ -41,14 +41,14 @@ inline std::vector<Point> fill(
         const double xi = -1.0 + (2.0 * i + 1.0) / per_cell, eta = -1.0 + (2.0 * j + 1.0) / per_cell;
         const double zb = s.zb0 + s.zb1 * xi, zt = s.zt0 + s.zt1 * xi;
         Point p{};
-        p.field[0] = s.r_c + s.a * xi;
-        p.field[1] = 0.5 * ((1.0 - eta) * zb + (1.0 + eta) * zt);
-        const double volume = p.field[0] * (2.0 * s.a / per_cell) * ((zt - zb) / per_cell);
-        p.field[8] = density * volume;
-        p.field[9] = volume;
-        p.field[10] = 0.7;
-        p.field[11] = 1e4;
-        p.field[15] = static_cast<double>(points.size());
+        p.r = s.r_c + s.a * xi;
+        p.z = 0.5 * ((1.0 - eta) * zb + (1.0 + eta) * zt);
+        const double volume = p.r * (2.0 * s.a / per_cell) * ((zt - zb) / per_cell);
+        p.mass = density * volume;
+        p.volume = volume;
+        p.e = 0.7;
+        p.h_0 = 1e4;
+        p.id = static_cast<double>(points.size());
         set(p);
         points.push_back(p);
       }

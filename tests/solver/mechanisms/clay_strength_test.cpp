@@ -75,8 +75,8 @@ TEST(StrengthProfiles, ArePutOnThePoints) {
   setup.mechanisms.clay_crust = {0.5, 0.1};
   const double s_u = clay_of(setup).s_u;
   for_initial_soil(setup, [&](const Point& point, std::int32_t) {
-    const double depth = -point.field[1];
-    EXPECT_NEAR(point.field[11], s_u * (1.0 + 0.5 * std::exp(-depth / 0.1)) + 12e3 * depth, 1e-6);
+    const double depth = -point.z;
+    EXPECT_NEAR(point.h_0, s_u * (1.0 + 0.5 * std::exp(-depth / 0.1)) + 12e3 * depth, 1e-6);
   });
 }
 

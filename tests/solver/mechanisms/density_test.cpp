@@ -16,8 +16,8 @@ TEST(SurfaceCompaction, DecaysFromTheTop) {
   const double e_0 = bulk(setup, default_sand).e;
   setup.mechanisms.surface_compaction = {0.25, 0.05};
   for_initial_soil(setup, [&](const Point& point, std::int32_t) {
-    const double depth = -point.field[1];
-    EXPECT_NEAR(point.field[10], e_0 - 0.25 * range * std::exp(-depth / 0.05), 1e-12);
+    const double depth = -point.z;
+    EXPECT_NEAR(point.e, e_0 - 0.25 * range * std::exp(-depth / 0.05), 1e-12);
   });
 }
 
@@ -45,8 +45,8 @@ TEST(DensityLens, ChangesItsDepthsOnly) {
   const double e_0 = bulk(setup, default_sand).e;
   setup.mechanisms.density_lens = {-0.2, 0.30, 0.08};
   for_initial_soil(setup, [&](const Point& point, std::int32_t) {
-    const bool inside = std::abs(-point.field[1] - 0.30) < 0.04;
-    EXPECT_NEAR(point.field[10], inside ? e_0 + 0.2 * range : e_0, 1e-12);
+    const bool inside = std::abs(-point.z - 0.30) < 0.04;
+    EXPECT_NEAR(point.e, inside ? e_0 + 0.2 * range : e_0, 1e-12);
   });
 }
 

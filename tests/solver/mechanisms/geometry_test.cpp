@@ -72,7 +72,7 @@ TEST(InterfaceMixing, SharesGoLinearlyFromOneSoilToTheOther) {
   };
   std::map<int, Share> by_slice;  // of 2 mm about the interface at 0.23 m, sand above clay
   for_initial_soil(setup, [&](const Point& point, std::int32_t material) {
-    const double below = -point.field[1] - 0.23;
+    const double below = -point.z - 0.23;
     if (std::abs(below) >= 0.014) return;
     Share& share = by_slice[static_cast<int>(std::floor(below / 0.002))];
     share.clay += material == static_cast<std::int32_t>(default_clay) ? 1 : 0;

@@ -36,7 +36,7 @@ inline void for_initial_soil(const Setup& setup,
                              const std::function<void(const Point&, std::int32_t)>& look) {
   const InitialState state = initial_state(setup, models_of(setup));
   for (std::size_t k = 0; k < state.points.size(); ++k)
-    if (state.points[k].field[1] < 0.0) look(state.points[k], state.material[k]);
+    if (state.points[k].z < 0.0) look(state.points[k], state.material[k]);
 }
 
 }  // namespace cpt::solver

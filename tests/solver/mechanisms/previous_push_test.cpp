@@ -31,7 +31,7 @@ TEST(PreviousPush, OfUntouchedSoilChangesNothing) {
   const Mesh mesh(chamber_layout(setup));
   std::vector<std::int32_t> bucket_of;
   for (std::size_t k = 0; k < state.points.size(); ++k)
-    bucket_of.push_back(mesh.locate(state.points[k].field[0], state.points[k].field[1]).cell * materials +
+    bucket_of.push_back(mesh.locate(state.points[k].r, state.points[k].z).cell * materials +
                         state.material[k]);
   const MaterialPoints points(state.points, bucket_of, static_cast<std::int32_t>(mesh.cells().size()),
                               materials);

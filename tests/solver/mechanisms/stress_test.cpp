@@ -48,8 +48,8 @@ TEST(WallFriction, ShearFallsLinearlyToTheAxis) {
   solver::Setup setup = quick(Profile::homogeneous_sand, 0.1);
   setup.mechanisms.wall_friction.coefficient = 0.4;
   for_initial_soil(setup, [&](const Point& point, std::int32_t) {
-    const double sigma_h = -point.field[4], r = point.field[0];
-    EXPECT_NEAR(point.field[7], 0.4 * sigma_h * r / setup.chamber.radius, 1e-9 * sigma_h);
+    const double sigma_h = -point.s_rr, r = point.r;
+    EXPECT_NEAR(point.s_rz, 0.4 * sigma_h * r / setup.chamber.radius, 1e-9 * sigma_h);
   });
 }
 

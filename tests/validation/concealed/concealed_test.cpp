@@ -12,6 +12,9 @@
 namespace cpt::validation::concealed {
 namespace {
 
+using namespace diagnosis;
+using Eigen::VectorXd;
+
 const std::string plan_text =
     "title = \"c\"\nstudy = \"sand.toml\"\n"
     "[[soundings]]\nname = \"low\"\nfrom_m = 0.04\nto_m = 0.28\n"

@@ -16,6 +16,7 @@ namespace cpt::validation::paper {
 namespace {
 
 namespace fs = std::filesystem;
+using reports::NamedFigure;
 
 std::string read(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -10,6 +10,8 @@ namespace {
 
 using parameters::Study;
 using parameters::Window;
+using reports::Mishaps;
+using reports::run_made_up;
 
 Study named(Study study, std::string_view name, const std::vector<std::string>& windows) {
   study.name = name;

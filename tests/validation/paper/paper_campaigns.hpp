@@ -12,7 +12,7 @@ namespace cpt::validation::paper {
 /// A folder with all seven databases; `mishaps` by study name.
 class PaperCampaigns {
  public:
-  explicit PaperCampaigns(const std::map<std::string_view, Mishaps>& mishaps = {});
+  explicit PaperCampaigns(const std::map<std::string_view, reports::Mishaps>& mishaps = {});
   ~PaperCampaigns();
   PaperCampaigns(const PaperCampaigns&) = delete;
   PaperCampaigns& operator=(const PaperCampaigns&) = delete;

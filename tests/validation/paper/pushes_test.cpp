@@ -12,6 +12,7 @@ namespace cpt::validation::paper {
 namespace {
 
 namespace fs = std::filesystem;
+using reports::NamedFigure;
 using results::Histories;
 
 // Stresses grow from `p` and `q` [kPa] to ten times as much; the wall's by 20 % and 240 %; the soil beside
