@@ -15,19 +15,20 @@ namespace cpt::recordings {
 namespace {
 
 struct Reader {
-  Format format;
+  std::string_view name;
   std::vector<std::string_view> endings;
   bool (*recognizes)(std::string_view first_line);
   void (*read)(const std::vector<Line>&, const ReadOptions&, Recording&, Problems&);
 };
 
-// The known formats; adding one is a line here. CSV has no mark of its own, so it comes last.
+// The known formats: their names, the endings of their files, how they are known and read. CSV has no mark of
+// its own, so it comes last.
 const std::vector<Reader>& readers() {
   static const std::vector<Reader> list = {
-      {Format::gef, {".gef"}, is_gef, read_gef},
-      {Format::ags4, {".ags"}, is_ags4, read_ags4},
-      {Format::geotech, {".cpt"}, is_geotech, read_geotech},
-      {Format::csv, {".csv", ".txt", ".dat", ".tsv"}, [](std::string_view) { return false; }, read_csv},
+      {"GEF-CPT", {".gef"}, is_gef, read_gef},
+      {"AGS4", {".ags"}, is_ags4, read_ags4},
+      {"Geotech CPT", {".cpt"}, is_geotech, read_geotech},
+      {"CSV", {".csv", ".txt", ".dat", ".tsv"}, [](std::string_view) { return false; }, read_csv},
   };
   return list;
 }
@@ -52,15 +53,15 @@ const Reader* by_content(const std::vector<Line>& lines) {
 const Reader* find_reader(const std::vector<Line>& lines, const std::filesystem::path& file,
                           const ReadOptions& options, Recording& recording) {
   for (const Reader& reader : readers())
-    if (options.format == reader.format) return &reader;
+    if (options.format == reader.name) return &reader;
   const Reader* content = by_content(lines);
   const Reader* ending = by_ending(file);
   if (content != nullptr && ending != nullptr && content != ending)
-    recording.remarks.push_back({{},
-                                 fmt::format("the ending {} is that of a {} file", file.extension().string(),
-                                             name_of(ending->format)),
-                                 fmt::format("read as {}", name_of(content->format)),
-                                 "the first line is that of this format"});
+    recording.remarks.push_back(
+        {{},
+         fmt::format("the ending {} is that of a {} file", file.extension().string(), ending->name),
+         fmt::format("read as {}", content->name),
+         "the first line is that of this format"});
   return content != nullptr ? content : ending;
 }
 
@@ -112,7 +113,7 @@ RecordingOrErrors parse_recording(std::string_view bytes, const std::filesystem:
     return refused(
         file, "a file of unknown format", "GEF-CPT, AGS4, Geotech .cpt or CSV",
         "name a table of columns NAME.csv and say which column is what with --column QUANTITY=NAME");
-  recording.format = reader->format;
+  recording.format = reader->name;
   Problems problems(file.string());
   reader->read(lines, options, recording, problems);
   if (!problems.any()) settle(recording, problems);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -21,10 +20,10 @@ struct ColumnName {
 using ColumnMap = std::vector<ColumnName>;
 
 struct ReadOptions {
-  std::optional<Format> format;  ///< found from content and ending if not given
-  ColumnMap columns;             ///< CSV only
-  std::vector<double> voids;     ///< CSV only: values that mean "not measured", in the file's unit
-  std::string push;              ///< AGS4 only: LOCA_ID or LOCA_ID/SCPG_TESN, where the file holds several
+  std::string format;         ///< its name; found from content and ending if not given
+  ColumnMap columns;          ///< CSV only
+  std::vector<double> voids;  ///< CSV only: values that mean "not measured", in the file's unit
+  std::string push;           ///< AGS4 only: LOCA_ID or LOCA_ID/SCPG_TESN, where the file holds several
 };
 
 /// The sounding, or everything that is wrong with the file (never empty).

@@ -5,20 +5,6 @@
 
 namespace cpt::recordings {
 
-std::string_view name_of(Format format) {
-  switch (format) {
-    case Format::gef:
-      return "GEF-CPT";
-    case Format::ags4:
-      return "AGS4";
-    case Format::geotech:
-      return "Geotech CPT";
-    case Format::csv:
-      break;
-  }
-  return "CSV";
-}
-
 std::string_view name_of(DepthRule rule) {
   switch (rule) {
     case DepthRule::stated:

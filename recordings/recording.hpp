@@ -11,9 +11,6 @@ namespace cpt::recordings {
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-enum class Format { gef, ags4, geotech, csv };
-[[nodiscard]] std::string_view name_of(Format format);
-
 /// One row of the file. NaN: void, or not in the file.
 struct Reading {
   int line = 0;                    ///< of the file, from 1
@@ -71,9 +68,9 @@ enum class DepthRule {
 
 struct Recording {
   std::string file;
-  Format format = Format::csv;
-  std::string id;    ///< the test's own name; the file's name without ending if it has none
-  std::string date;  ///< as YYYY-MM-DD where the file allows that, else as the file has it; "" if not given
+  std::string format;  ///< its name, as read_recording.cpp has it
+  std::string id;      ///< the test's own name; the file's name without ending if it has none
+  std::string date;    ///< as YYYY-MM-DD where the file allows that, else as the file has it; "" if not given
   double x = not_given, y = not_given;  // [m] in the file's own system
   double elevation = not_given;         // [m] of the ground, in the file's own datum
   double predrilled_depth = not_given;  // [m]

@@ -74,7 +74,7 @@ std::string recording_plot(const Recording& recording, const Interpretation& int
   reports::DepthPanels figure;
   figure.title = recording.id;
   figure.lines = {fmt::format("{}, {}{}{}", std::filesystem::path(recording.file).filename().string(),
-                              name_of(recording.format), recording.date.empty() ? "" : ", ", recording.date),
+                              recording.format, recording.date.empty() ? "" : ", ", recording.date),
                   fmt::format("depth: {}", name_of(recording.depth_rule))};
   figure.depth = column(recording, &Reading::depth);
   add_panels(figure, recording, interpretation);

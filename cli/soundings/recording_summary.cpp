@@ -44,7 +44,7 @@ Table facts_table(const Recording& r) {
     if (!std::isnan(value)) table.rows.push_back({name, value, unit});
   };
   text("file", r.file);
-  text("format", name_of(r.format));
+  text("format", r.format);
   text("id", r.id);
   text("date", r.date);
   number("x", r.x, "m");

@@ -10,7 +10,7 @@ const ReadOptions first{.format = {}, .columns = {}, .voids = {}, .push = "CPT1/
 
 TEST(Ags4, ReadsTheChosenPushAndCountsTheOthers) {
   const Recording r = from_corpus("two_pushes.ags", first);
-  EXPECT_EQ(r.format, Format::ags4);
+  EXPECT_EQ(r.format, "AGS4");
   EXPECT_EQ(r.id, "CPT1/1");
   EXPECT_EQ(r.date, "2024-05-06");
   EXPECT_EQ(r.x, 1000.5);

@@ -9,7 +9,7 @@ namespace {
 
 TEST(Gef, ReadsHeaderAndColumnsInSiUnits) {
   const Recording r = from_corpus("plain.gef");
-  EXPECT_EQ(r.format, Format::gef);
+  EXPECT_EQ(r.format, "GEF-CPT");
   EXPECT_EQ(r.id, "A1");
   EXPECT_EQ(r.date, "2024-05-07");
   EXPECT_EQ(r.x, 120000.5);

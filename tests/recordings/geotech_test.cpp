@@ -9,7 +9,7 @@ namespace {
 
 TEST(Geotech, ReadsKeysInSiUnits) {
   const Recording r = from_corpus("stops.cpt");
-  EXPECT_EQ(r.format, Format::geotech);
+  EXPECT_EQ(r.format, "Geotech CPT");
   EXPECT_EQ(r.id, "57");
   EXPECT_EQ(r.date, "22.09.2022");
   EXPECT_EQ(r.predrilled_depth, 4.0);

@@ -11,6 +11,15 @@
 
 namespace cpt::recordings {
 
+enum class Format { gef, ags4, geotech, csv };
+/// As the reader calls it.
+inline std::string name_of(Format format) {
+  return format == Format::gef       ? "GEF-CPT"
+         : format == Format::ags4    ? "AGS4"
+         : format == Format::geotech ? "Geotech CPT"
+                                     : "CSV";
+}
+
 /// How a file is written.
 struct Writing {
   std::function<std::string(std::string)> number = [](std::string text) { return text; };

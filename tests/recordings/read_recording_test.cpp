@@ -7,9 +7,9 @@ namespace {
 
 TEST(ReadRecording, ContentGoesBeforeEnding) {
   const Recording r = recording(corpus("plain.gef"), "a.cpt");
-  EXPECT_EQ(r.format, Format::gef);
+  EXPECT_EQ(r.format, "GEF-CPT");
   expect_has(remark(r, "the ending .cpt").done, "GEF-CPT");
-  EXPECT_EQ(recording(corpus("stops.cpt"), "no_ending").format, Format::geotech);
+  EXPECT_EQ(recording(corpus("stops.cpt"), "no_ending").format, "Geotech CPT");
 }
 
 TEST(ReadRecording, AllLineEndsAndAByteOrderMarkAreFine) {
