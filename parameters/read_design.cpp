@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 
 #include "parameters/designs/design.hpp"
 #include "parameters/nearest_name.hpp"
@@ -14,20 +15,27 @@
 namespace cpt::parameters {
 namespace {
 
-using Kind = Design::Kind;
-
 constexpr long most_runs = 20000;  // more than any solver finishes; keeps a typing error from filling memory
 
+template <auto Member>
+void set(Design& design, double value) {
+  design.*Member = static_cast<std::remove_reference_t<decltype(design.*Member)>>(value);
+}
 /// A key of the section that holds a whole number.
 struct Number {
   std::string_view key;
-  std::vector<Kind> kinds;  // that know it
+  void (*set)(Design& design, double value);
 };
-const std::array<Number, 5> number_keys = {{{"runs", {Kind::latin_hypercube, Kind::sobol}},
-                                            {"first_runs", {Kind::latin_hypercube}},
-                                            {"trajectories", {Kind::morris}},
-                                            {"levels", {Kind::morris}},
-                                            {"seed", {Kind::morris, Kind::latin_hypercube, Kind::sobol}}}};
+const std::array<Number, 5> number_keys = {{{"runs", set<&Design::runs>},
+                                            {"first_runs", set<&Design::first_runs>},
+                                            {"trajectories", set<&Design::trajectories>},
+                                            {"levels", set<&Design::levels>},
+                                            {"seed", set<&Design::seed>}}};
+
+const DesignKey* find_key(const DesignKind& kind, std::string_view name) {
+  const auto key = std::ranges::find(kind.keys, name, &DesignKey::name);
+  return key == kind.keys.end() ? nullptr : &*key;
+}
 
 class DesignReader {
  public:
@@ -39,8 +47,8 @@ class DesignReader {
     bool sound = refuse_unknown_keys(table_, "design", known_names(study_keys(), "design"), errors_);
     const auto kind = name_field(table_, "design", "kind", true, design_kinds(), errors_);
     if (!kind) return {};
-    const auto place = std::find(design_kinds().begin(), design_kinds().end(), *kind);
-    design_.kind = static_cast<Kind>(place - design_kinds().begin());
+    kind_ = &design_named(*kind);
+    design_.kind = *kind;
     sound = read_parameters() && sound;
     for (const Number& number : number_keys) sound = read_number(number) && sound;
     sound = sound && growth();
@@ -54,25 +62,22 @@ class DesignReader {
 
   bool read_parameters() {
     const Member* member = table_.find("parameters");
-    if (design_.kind == Kind::one_at_a_time) {
-      if (member != nullptr) refuse(*member, "one_at_a_time changes every row of [parameters]");
+    if (kind_->places == nullptr) {
+      if (member != nullptr)
+        refuse(*member, fmt::format("{} changes every row of [parameters]", kind_->name));
       return member == nullptr;
     }
     if (member == nullptr) {
-      // All pairs of a long table cost more than they tell.
-      const std::size_t count =
-          design_.kind == Kind::pairs ? std::min<std::size_t>(rows_.size(), 4) : rows_.size();
-      design_.rows.resize(count);
+      design_.rows.resize(std::min(rows_.size(), kind_->usual_rows));
       std::iota(design_.rows.begin(), design_.rows.end(), std::size_t{0});
     } else if (!read_names(*member)) {
       return false;
     }
-    const std::size_t least = design_.kind == Kind::pairs ? 2 : 1;
-    if (design_.rows.size() >= least) return true;
+    if (design_.rows.size() >= kind_->least_rows) return true;
     if (rows_sound_)
       errors_.add(
           member ? member->value.place : table_.place, "design.parameters",
-          fmt::format("{} wants at least {} of the rows of [parameters]", to_string(design_.kind), least));
+          fmt::format("{} wants at least {} of the rows of [parameters]", kind_->name, kind_->least_rows));
     return false;
   }
 
@@ -119,20 +124,23 @@ class DesignReader {
 
   bool read_number(const Number& number) {
     const Member* member = table_.find(number.key);
-    const bool known =
-        std::find(number.kinds.begin(), number.kinds.end(), design_.kind) != number.kinds.end();
-    if (member != nullptr && !known) {
+    const DesignKey* known = find_key(*kind_, number.key);
+    if (member != nullptr && known == nullptr) {
       std::string kinds;
-      for (const Kind kind : number.kinds)
-        kinds += (kinds.empty() ? "" : ", ") + std::string(to_string(kind));
-      refuse(*member, fmt::format("means nothing to {}; it belongs to {}", to_string(design_.kind), kinds));
+      for (const DesignKind& kind : all_designs())
+        if (find_key(kind, number.key) != nullptr)
+          kinds += (kinds.empty() ? "" : ", ") + std::string(kind.name);
+      refuse(*member, fmt::format("means nothing to {}; it belongs to {}", kind_->name, kinds));
       return false;
     }
-    if (!known) return true;
+    if (known == nullptr) return true;
     const auto given = number_field(table_, "design", number.key, false, errors_);
     if (member != nullptr && !given) return false;
-    if (number.key == "first_runs" && !given) return true;
-    const double value = given.value_or(usual(number.key));
+    if (!given) {
+      number.set(design_, known->usual + known->usual_a_row * static_cast<double>(design_.rows.size()));
+      return true;
+    }
+    const double value = *given;
     const Key& key = key_named(study_keys(), "design", number.key);
     const bool even = number.key != "levels" || std::fmod(value, 2.0) == 0.0;
     if (value != std::round(value) || !even || value < key.least || value > key.most) {
@@ -140,24 +148,8 @@ class DesignReader {
                                   number.key == "levels" ? "an even" : "a whole", key.least, key.most));
       return false;
     }
-    if (number.key == "seed")
-      design_.seed = static_cast<std::uint64_t>(value);
-    else
-      (number.key == "runs"         ? design_.runs
-       : number.key == "first_runs" ? design_.first_runs
-       : number.key == "levels"     ? design_.levels
-                                    : design_.trajectories) = static_cast<int>(value);
+    number.set(design_, value);
     return true;
-  }
-
-  // What is taken where the study says nothing.
-  [[nodiscard]] double usual(std::string_view key) const {
-    if (key == "seed") return 1.0;
-    if (key == "levels") return 4.0;         // Morris (1991), Campolongo et al. (2007)
-    if (key == "trajectories") return 10.0;  // the same
-    if (design_.kind == Kind::sobol) return 64.0;
-    return 10.0 *
-           static_cast<double>(design_.rows.size());  // Loeppky, Sacks & Welch (2009), Technometrics 51
   }
 
   bool growth() {
@@ -180,6 +172,7 @@ class DesignReader {
   const solver::Setup& setup_;
   bool rows_sound_;
   ErrorList& errors_;
+  const DesignKind* kind_ = nullptr;
   Design design_;
 };
 

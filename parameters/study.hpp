@@ -37,16 +37,15 @@ struct DesignPoint {
 
 /// What the section [design] adds to the one-at-a-time runs; its runs are made by designs/design.hpp.
 struct Design {
-  enum class Kind { one_at_a_time, pairs, morris, latin_hypercube, sobol };
-  Kind kind = Kind::one_at_a_time;
-  std::vector<std::size_t> rows;  ///< that vary together: indices into Study::rows
-  int runs = 0;                   ///< latin_hypercube: runs; sobol: rows of the samples A and B
-  int first_runs = 0;             ///< latin_hypercube: runs that it had before it grew; 0: it did not grow
-  int trajectories = 0;           ///< morris
-  int levels = 0;                 ///< morris: of its grid, even
-  std::uint64_t seed = 1;         ///< of its points and of its bootstrap
-  std::size_t first_point = 0;    ///< of its own among Study::points
-  std::size_t points = 0;         ///< its own; fewer than its runs where the study has some of them already
+  std::string kind = "one_at_a_time";  ///< one of design_kinds()
+  std::vector<std::size_t> rows;       ///< that vary together: indices into Study::rows
+  int runs = 0;                        ///< latin_hypercube: runs; sobol: rows of the samples A and B
+  int first_runs = 0;           ///< latin_hypercube: runs that it had before it grew; 0: it did not grow
+  int trajectories = 0;         ///< morris
+  int levels = 0;               ///< morris: of its grid, even
+  std::uint64_t seed = 1;       ///< of its points and of its bootstrap
+  std::size_t first_point = 0;  ///< of its own among Study::points
+  std::size_t points = 0;       ///< its own; fewer than its runs where the study has some of them already
 };
 
 /// Depth interval over which q_c is averaged.

@@ -23,7 +23,6 @@ std::vector<std::string_view> law_names() {
 std::vector<KeyTable> listed_tables() {
   constexpr double least = -std::numeric_limits<double>::infinity();
   constexpr double most = std::numeric_limits<double>::infinity();
-  const auto kinds = design_kinds();
   return {
       {"",
        false,
@@ -71,7 +70,7 @@ std::vector<KeyTable> listed_tables() {
       {"design",
        false,
        "further runs that change several rows at once (designs.md)",
-       {{"kind", "text", "required", "which design", least, most, {kinds.begin(), kinds.end()}},
+       {{"kind", "text", "required", "which design", least, most, design_kinds()},
         {"runs", "whole number", "10 for each parameter; of sobol 64",
          "latin_hypercube: runs; sobol: rows of its two samples", 2.0, 20000.0},
         {"first_runs", "whole number", "as many as runs",

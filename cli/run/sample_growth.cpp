@@ -21,7 +21,7 @@ using parameters::Design;
 
 constexpr int most_told = 4000;  // runs: the discrepancy's cost grows with their square
 
-bool is_sample(const parameters::Study& study) { return study.design.kind == Design::Kind::latin_hypercube; }
+bool is_sample(const parameters::Study& study) { return study.design.kind == "latin_hypercube"; }
 
 // How many of the points have been run.
 long kept(const parameters::Study& study, std::span<const parameters::DesignPoint> points,

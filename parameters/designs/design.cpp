@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <map>
+#include <stdexcept>
+#include <string>
 
 #include "parameters/all_realizations.hpp"
 #include "parameters/designs/latin_hypercube.hpp"
@@ -17,44 +18,13 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Kind = Design::Kind;
 
-constexpr std::array<std::string_view, 5> kind_names = {"one_at_a_time", "pairs", "morris", "latin_hypercube",
-                                                        "sobol"};
-
-MatrixXd places_of(const Design& design) {
-  const auto parameters = static_cast<int>(design.rows.size());
-  switch (design.kind) {
-    case Kind::one_at_a_time:
-      break;
-    case Kind::pairs:
-      return pairs_places(parameters);
-    case Kind::morris:
-      return morris_places(parameters, design.trajectories, design.levels, design.seed);
-    case Kind::latin_hypercube:
-      if (design.first_runs == 0) return latin_hypercube_places(parameters, design.runs, design.seed);
-      return grown_latin_hypercube_places(parameters, design.first_runs, design.runs, design.seed);
-    case Kind::sobol:
-      return sobol_places(parameters, design.runs, design.seed);
-  }
-  return MatrixXd(0, parameters);
-}
-
-std::string run_name(const Design& design, Index run) {
-  const auto group = [&](Index size) { return run / size + 1; };
-  const auto member = [&](Index size) { return run % size + 1; };
-  const auto parameters = static_cast<Index>(design.rows.size());
-  if (design.kind == Kind::pairs) return fmt::format("pairs {}.{}", group(4), member(4));
-  if (design.kind == Kind::morris)
-    return fmt::format("morris {}.{}", group(parameters + 1), member(parameters + 1));
-  if (design.kind == Kind::latin_hypercube) return fmt::format("latin hypercube {}", run + 1);
-  const Index column = member(parameters + 2);
-  const std::string matrix = column == 1 ? "A" : column == 2 ? "B" : fmt::format("{}", column - 2);
-  return fmt::format("sobol {}.{}", group(parameters + 2), matrix);
+DesignKind one_at_a_time_design() {
+  return {.name = "one_at_a_time", .run_count = [](const Design&) { return 0L; }};
 }
 
 DesignPoint point_of(const Study& study, const MatrixXd& places, Index run) {
-  DesignPoint point{run_name(study.design, run), {}};
+  DesignPoint point{design_named(study.design.kind).run_name(study.design, run), {}};
   for (Index j = 0; j < places.cols(); ++j) {
     const Row& row = study.rows[study.design.rows[static_cast<std::size_t>(j)]];
     if (!std::isnan(places(run, j))) point.changes.push_back({row.quantity, value_at(row, places(run, j))});
@@ -79,29 +49,35 @@ std::map<std::string, std::size_t> by_settings(const Study& study,
 
 }  // namespace
 
-std::span<const std::string_view> design_kinds() { return kind_names; }
-
-std::string_view to_string(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
-
-long run_count(const Design& design) {
-  const auto parameters = static_cast<long>(design.rows.size());
-  switch (design.kind) {
-    case Kind::one_at_a_time:
-      return 0;
-    case Kind::pairs:
-      return 2 * parameters * (parameters - 1);
-    case Kind::morris:
-      return design.trajectories * (parameters + 1);
-    case Kind::latin_hypercube:
-      return design.runs;
-    case Kind::sobol:
-      return design.runs * (parameters + 2);
-  }
-  return 0;
+std::span<const DesignKind> all_designs() {
+  static const std::vector<DesignKind> list = {
+      one_at_a_time_design(), pairs_design(), morris_design(), latin_hypercube_design(), sobol_design(),
+  };
+  return list;
 }
 
+std::vector<std::string_view> design_kinds() {
+  std::vector<std::string_view> names;
+  for (const DesignKind& kind : all_designs()) names.push_back(kind.name);
+  return names;
+}
+
+const DesignKind& design_named(std::string_view name) {
+  for (const DesignKind& kind : all_designs())
+    if (kind.name == name) return kind;
+  throw std::out_of_range("no design " + std::string(name));
+}
+
+std::string name_in_group(std::string_view kind, Index run, Index size) {
+  return fmt::format("{} {}.{}", kind, run / size + 1, run % size + 1);
+}
+
+long run_count(const Design& design) { return design_named(design.kind).run_count(design); }
+
 MatrixXd design_places(const Study& study) {
-  MatrixXd places = places_of(study.design);
+  const DesignKind& kind = design_named(study.design.kind);
+  if (kind.places == nullptr) return MatrixXd(0, width_of(study.design));
+  MatrixXd places = kind.places(study.design);
   for (Index j = 0; j < places.cols(); ++j) {
     const Row& row = study.rows[study.design.rows[static_cast<std::size_t>(j)]];
     for (double& place : places.col(j))

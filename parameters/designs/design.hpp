@@ -7,14 +7,16 @@
 #include <string_view>
 #include <vector>
 
+#include "parameters/designs/kind.hpp"
 #include "parameters/realization.hpp"
 #include "parameters/study.hpp"
 
 namespace cpt::parameters {
 
-/// In the order of Design::Kind.
-[[nodiscard]] std::span<const std::string_view> design_kinds();
-[[nodiscard]] std::string_view to_string(Design::Kind kind);
+/// The one list of designs; first one_at_a_time, which adds no run.
+[[nodiscard]] std::span<const DesignKind> all_designs();
+[[nodiscard]] std::vector<std::string_view> design_kinds();           ///< their names
+[[nodiscard]] const DesignKind& design_named(std::string_view name);  ///< throws std::out_of_range
 
 /// Runs that the design asks for, before any is made.
 [[nodiscard]] long run_count(const Design& design);

@@ -1,5 +1,7 @@
 #include "parameters/designs/latin_hypercube.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_01.hpp>
@@ -77,6 +79,21 @@ MatrixXd grown_latin_hypercube_places(int parameters, int first_runs, int runs, 
     }
   }
   return places;
+}
+
+DesignKind latin_hypercube_design() {
+  return {.name = "latin_hypercube",
+          // Loeppky, Sacks & Welch (2009), Technometrics 51
+          .keys = {{"runs", 0.0, 10.0}, {"first_runs", 0.0}, {"seed", 1.0}},
+          .run_count = [](const Design& design) { return long{design.runs}; },
+          .places =
+              [](const Design& design) {
+                if (design.first_runs == 0)
+                  return latin_hypercube_places(width_of(design), design.runs, design.seed);
+                return grown_latin_hypercube_places(width_of(design), design.first_runs, design.runs,
+                                                    design.seed);
+              },
+          .run_name = [](const Design&, Index run) { return fmt::format("latin hypercube {}", run + 1); }};
 }
 
 }  // namespace cpt::parameters

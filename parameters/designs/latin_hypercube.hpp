@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "parameters/designs/kind.hpp"
+
 namespace cpt::parameters {
 
 /// Runs x parameters: each column has one place in each of `runs` equal intervals of [0, 1], at random within
@@ -17,5 +19,7 @@ namespace cpt::parameters {
 /// not depend on `runs`: a sample grown in two steps is that grown in one.
 [[nodiscard]] Eigen::MatrixXd grown_latin_hypercube_places(int parameters, int first_runs, int runs,
                                                            std::uint64_t seed);
+
+[[nodiscard]] DesignKind latin_hypercube_design();
 
 }  // namespace cpt::parameters

@@ -86,4 +86,18 @@ std::vector<ElementaryEffects> elementary_effects(const MatrixXd& places, const 
   return all;
 }
 
+DesignKind morris_design() {
+  return {
+      .name = "morris",
+      // Morris (1991), Campolongo et al. (2007)
+      .keys = {{"trajectories", 10.0}, {"levels", 4.0}, {"seed", 1.0}},
+      .run_count = [](const Design& design) { return long{design.trajectories} * (width_of(design) + 1); },
+      .places =
+          [](const Design& design) {
+            return morris_places(width_of(design), design.trajectories, design.levels, design.seed);
+          },
+      .run_name = [](const Design& design,
+                     Index run) { return name_in_group("morris", run, width_of(design) + 1); }};
+}
+
 }  // namespace cpt::parameters

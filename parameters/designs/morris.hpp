@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "parameters/designs/bootstrap.hpp"
+#include "parameters/designs/kind.hpp"
 
 namespace cpt::parameters {
 
@@ -31,5 +32,7 @@ struct ElementaryEffects {
 /// undefined where the result does not vary (variation.hpp). Intervals: bootstrap over trajectories.
 [[nodiscard]] std::vector<ElementaryEffects> elementary_effects(const Eigen::MatrixXd& places,
                                                                 const Eigen::VectorXd& y, std::uint64_t seed);
+
+[[nodiscard]] DesignKind morris_design();
 
 }  // namespace cpt::parameters

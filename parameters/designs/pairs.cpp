@@ -33,4 +33,13 @@ double interaction(const std::array<double, 4>& y) {
   return std::isnan(interaction) || differ(y[3] + y[0], y[1] + y[2]) ? interaction : 0.0;
 }
 
+DesignKind pairs_design() {
+  return {.name = "pairs",
+          .least_rows = 2,
+          .usual_rows = 4,  // all pairs of a long table cost more than they tell
+          .run_count = [](const Design& design) { return 2L * width_of(design) * (width_of(design) - 1); },
+          .places = [](const Design& design) { return pairs_places(width_of(design)); },
+          .run_name = [](const Design&, Index run) { return name_in_group("pairs", run, 4); }};
+}
+
 }  // namespace cpt::parameters

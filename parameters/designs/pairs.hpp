@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "parameters/designs/kind.hpp"
+
 namespace cpt::parameters {
 
 /// The pairs of `parameters` in order: (0, 1), (0, 2), ..., (1, 2), ...
@@ -20,5 +22,7 @@ namespace cpt::parameters {
 /// one's effect (Box, Hunter & Hunter 2005, Statistics for Experimenters, chapter 5). `y` holds the four
 /// runs as pairs_places orders them; NaN where one of them is missing, 0 within rounding (variation.hpp).
 [[nodiscard]] double interaction(const std::array<double, 4>& y);
+
+[[nodiscard]] DesignKind pairs_design();
 
 }  // namespace cpt::parameters

@@ -1,5 +1,7 @@
 #include "parameters/designs/sobol.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/sobol.hpp>
 
@@ -71,6 +73,20 @@ SobolIndices sobol_indices(int parameters, const VectorXd& y, std::uint64_t seed
           {estimates.begin() + parameters, estimates.end()},
           static_cast<int>(used),
           static_cast<int>(rows - used)};
+}
+
+DesignKind sobol_design() {
+  return {
+      .name = "sobol",
+      .keys = {{"runs", 64.0}, {"seed", 1.0}},
+      .run_count = [](const Design& design) { return long{design.runs} * (width_of(design) + 2); },
+      .places = [](const Design& design) { return sobol_places(width_of(design), design.runs, design.seed); },
+      .run_name =
+          [](const Design& design, Index run) {
+            const Index columns = width_of(design) + 2, column = run % columns + 1;
+            const std::string matrix = column == 1 ? "A" : column == 2 ? "B" : fmt::format("{}", column - 2);
+            return fmt::format("sobol {}.{}", run / columns + 1, matrix);
+          }};
 }
 
 }  // namespace cpt::parameters

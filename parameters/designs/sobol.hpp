@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "parameters/designs/bootstrap.hpp"
+#include "parameters/designs/kind.hpp"
 
 namespace cpt::parameters {
 
@@ -26,5 +27,7 @@ struct SobolIndices {
 /// `y` has the results as sobol_places orders the runs, NaN where there is none. Intervals: bootstrap over
 /// rows. Indices are NaN where A and B do not vary (variation.hpp) or no row is left.
 [[nodiscard]] SobolIndices sobol_indices(int parameters, const Eigen::VectorXd& y, std::uint64_t seed);
+
+[[nodiscard]] DesignKind sobol_design();
 
 }  // namespace cpt::parameters

@@ -34,7 +34,7 @@ std::set<std::string> all_settings(const Study& study) {
 
 TEST(Design, WithoutTheSectionThereIsNone) {
   const Study study = study_of(sand_study(rows));
-  EXPECT_EQ(study.design.kind, Design::Kind::one_at_a_time);
+  EXPECT_EQ(study.design.kind, "one_at_a_time");
   EXPECT_TRUE(study.points.empty());
   EXPECT_TRUE(with("kind = \"one_at_a_time\"").points.empty());
 }

@@ -1,0 +1,27 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "parameters/designs/design.hpp"
+#include "parameters/designs/polynomial_chaos.hpp"
+#include "parameters/designs/variation.hpp"
+#include "results/statistics/window_effects.hpp"
+
+namespace cpt::results {
+
+void add_latin_hypercube_effects(WindowEffects& w) {
+  std::vector<int> values;
+  for (const std::size_t row : w.study.design.rows)
+    values.push_back(parameters::values_of(w.study.rows[row]));
+  const auto fit =
+      parameters::polynomial_chaos(parameters::design_places(w.study), values, w.y, w.study.design.seed);
+  if (w.window.problem.empty() && !fit.problem.empty() && !w.constant) w.prepend(fit.problem);
+  w.put_shares(fit.first, fit.total, fit.used, fit.dropped);
+  std::string note = w.note;
+  if (fit.terms > 0)
+    note += fmt::format("{}degree {}, {} terms", note.empty() ? "" : "; ", fit.degree, fit.terms);
+  w.rows.push_back({w.window.name, "", "", "Q2", "-", fit.q2, parameters::undefined, parameters::undefined,
+                    fit.used, fit.dropped, std::move(note)});
+}
+
+}  // namespace cpt::results
