@@ -44,7 +44,8 @@ struct Channel {
   double deviation_over_q_c;
 };
 
-inline constexpr std::size_t channel_count = 3;
+/// All members of a profile but the depths.
+inline constexpr std::size_t channel_count = sizeof(DepthProfile) / sizeof(std::vector<double>) - 1;
 
 /// q_c first.
 [[nodiscard]] std::span<const Channel> channels();

@@ -72,7 +72,8 @@ TEST_P(EveryMechanism, RunsAndIsSeen) {
   if (GetParam() == "density_lens") setup.mechanisms.density_lens.centre = 0.03;
   const Outcome on = run(setup);
   ASSERT_EQ(on.status, Status::completed) << on.reason;
-  EXPECT_TRUE(on.profile.q_c != off.profile.q_c || on.profile.depth != off.profile.depth);
+  EXPECT_TRUE(on.profile.q_c != off.profile.q_c || on.profile.f_s != off.profile.f_s ||
+              on.profile.depth != off.profile.depth);
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryMechanism, ::testing::ValuesIn([] {
