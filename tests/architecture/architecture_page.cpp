@@ -70,7 +70,19 @@ std::vector<Library> libraries_in(const std::vector<std::string>& lines) {
   return libraries;
 }
 
+std::vector<Promise> promises_in(const std::vector<std::string>& lines) {
+  static const std::regex row(R"re(\| [^|]*\(`([a-z]+)`\)[^|]*\|.*\| (\d+) \| (\d+) \|)re");
+  std::vector<Promise> list;
+  auto line = std::ranges::find(lines, "| what | where | the list | new files | files that get a line |");
+  if (line == lines.end()) throw std::runtime_error("no table of what is added");
+  for (line += 2; line != lines.end() && line->starts_with("| "); ++line)
+    if (std::smatch match; std::regex_match(*line, match, row))
+      list.push_back({match[1], std::stoi(match[2]), std::stoi(match[3])});
+  return list;
+}
+
 std::vector<Layer> layers() { return layers_in(lines_of(page)); }
 std::vector<Library> libraries() { return libraries_in(lines_of(page)); }
+std::vector<Promise> promises() { return promises_in(lines_of(page)); }
 
 }  // namespace cpt::tests

@@ -1,5 +1,5 @@
-// The two tables of docs/architecture.md that are the fence: the layers, and where names from outside may
-// appear.
+// The tables of docs/architecture.md that are held: the layers and where names from outside may appear, which
+// are the fence, and what it takes to add things.
 #pragma once
 
 #include <set>
@@ -21,8 +21,16 @@ struct Library {
 };
 [[nodiscard]] std::vector<Library> libraries();
 
+/// What the page promises of something that is added.
+struct Promise {
+  std::string what;  // its name in brackets: "law"
+  int new_files, touched_files;
+};
+[[nodiscard]] std::vector<Promise> promises();
+
 // From the lines of a page.
 [[nodiscard]] std::vector<Layer> layers_in(const std::vector<std::string>& lines);
 [[nodiscard]] std::vector<Library> libraries_in(const std::vector<std::string>& lines);
+[[nodiscard]] std::vector<Promise> promises_in(const std::vector<std::string>& lines);
 
 }  // namespace cpt::tests

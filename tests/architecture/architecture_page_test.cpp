@@ -34,6 +34,17 @@ TEST(ArchitecturePage, PlacesOfLibrariesStandInBackticks) {
   EXPECT_EQ(libraries[1].places, std::vector<std::string>{""});
 }
 
+TEST(ArchitecturePage, PromisesAreTheRowsWithAName) {
+  const auto promises =
+      promises_in({"| what | where | the list | new files | files that get a line |", "|---|---|---|---|---|",
+                   "| law (`law`), of soil | `a.hpp` | `b.hpp` | 2 | 1 |",
+                   "| figure | `c.cpp` | `d.hpp` | 1 | 3 |", "", "| e (`e`) | | | 1 | 1 |"});
+  ASSERT_EQ(promises.size(), 1U);
+  EXPECT_EQ(promises[0].what, "law");
+  EXPECT_EQ(promises[0].new_files, 2);
+  EXPECT_EQ(promises[0].touched_files, 1);
+}
+
 TEST(ArchitecturePage, KnowsEveryFolderOfTheTree) {
   std::vector<std::string> named;
   for (const Layer& layer : layers()) named.push_back(layer.name);
