@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "diagnosis/median.hpp"
 #include "parameters/all_realizations.hpp"
 #include "solver/mechanisms/reading.hpp"
 
@@ -87,12 +88,6 @@ std::optional<VectorXd> joined_run(const std::vector<Curves>& soundings, const G
     parts.push_back(*part);
   }
   return concatenate(parts);
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
 }
 
 VectorXd recorded_cells(const recordings::Recording& recording, const SoundingGrid& grid) {

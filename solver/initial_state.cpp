@@ -104,9 +104,9 @@ InitialState initial_state(const Setup& setup, std::span<const std::unique_ptr<c
           if (material < soils.size() && soils[material])
             history = soils[material]->start({-z, -sigma_h, -sigma_v, -sigma_h, s_rz, e});
         }
-        state.points.push_back(
-            {r, z, 0.0, 0.0, -sigma_h, -sigma_v, -sigma_h, s_rz, rho * volume, volume, e, history[0], 0.0,
-             0.0, loaded ? setup.initial.sigma_v0 * r * grid.dr : 0.0, id, history[1]});
+        state.points.push_back({r, z, 0.0, 0.0, -sigma_h, -sigma_v, -sigma_h, s_rz, rho * volume, volume, e,
+                                history[0], 0.0, 0.0, loaded ? setup.initial.sigma_v0 * r * grid.dr : 0.0, id,
+                                history[1]});
         state.material.push_back(static_cast<std::int32_t>(material));
       }
     }

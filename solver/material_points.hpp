@@ -57,7 +57,9 @@ struct Point {
 };
 using PointValues = std::array<double, field_count>;
 static_assert(sizeof(Point) == sizeof(PointValues), "as many as in PointFields");
-[[nodiscard]] constexpr PointValues values_of(const Point& point) { return std::bit_cast<PointValues>(point); }
+[[nodiscard]] constexpr PointValues values_of(const Point& point) {
+  return std::bit_cast<PointValues>(point);
+}
 
 class MaterialPoints {
  public:

@@ -1,11 +1,12 @@
-// Every channel of a push comes through the ledger: curve, averages, export, HDF5; and every input can be asked in SQL.
+// Every channel of a push comes through the ledger: curve, averages, export, HDF5; and every input can be
+// asked in SQL.
 #include "solver/channels.hpp"
 
 #include <algorithm>
 
-#include "results/tables/campaign_tables.hpp"
-#include "results/ledger/curve_store.hpp"
 #include "results/files/database.hpp"
+#include "results/ledger/curve_store.hpp"
+#include "results/tables/campaign_tables.hpp"
 #include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 

@@ -14,9 +14,8 @@
 namespace cpt::validation::concealed {
 namespace {
 
-using reports::draw_heading, reports::Legend;
-
 using drawing::Box, drawing::plain, drawing::Svg, drawing::XyPlot;
+using reports::draw_heading, reports::Legend;
 namespace palette = drawing::palette;
 
 constexpr double figure_width = 420.0, figure_height = 300.0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "diagnosis/median.hpp"
 #include "drawing/markdown.hpp"
 #include "drawing/text.hpp"
 #include "reports/figure_files.hpp"
@@ -15,10 +16,10 @@
 namespace cpt::validation::concealed {
 namespace {
 
+using drawing::decimals, drawing::number, drawing::table_head, drawing::table_line;
 using reports::make_directory, reports::NamedFigure, reports::write_figure, reports::write_text;
 
-using drawing::decimals, drawing::number, drawing::table_head, drawing::table_line;
-
+using diagnosis::median;
 using diagnosis::none_of_these;
 using diagnosis::nothing_is_missing;
 using Benchmarks = std::vector<Benchmark>;
@@ -187,12 +188,6 @@ std::string beside(const Benchmarks& benchmarks) {
          }))});
   }
   return text;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return NAN;
-  std::ranges::sort(values);
-  return values[values.size() / 2];
 }
 
 std::string further(const Benchmarks& benchmarks) {

@@ -12,9 +12,8 @@
 namespace cpt::validation::numerics {
 namespace {
 
-using reports::depth_range, reports::state_of;
-
 using drawing::decimals, drawing::number, drawing::table_head, drawing::table_line;
+using reports::depth_range, reports::state_of;
 
 using results::Snapshot;
 

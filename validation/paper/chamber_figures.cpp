@@ -8,10 +8,9 @@
 namespace cpt::validation::paper {
 namespace {
 
+using drawing::Box, drawing::Pen, drawing::plain, drawing::Rich, drawing::Svg, drawing::symbolic;
 using reports::all_completed, reports::baseline_run, reports::bound_run, reports::curve_of,
     reports::DepthPlot, reports::draw_heading, reports::Legend, reports::NamedFigure, reports::whole_profile;
-
-using drawing::Box, drawing::Pen, drawing::plain, drawing::Rich, drawing::Svg, drawing::symbolic;
 namespace palette = drawing::palette;
 
 constexpr double chamber_legend_width = 130.0;

@@ -16,11 +16,10 @@
 namespace cpt::validation::paper {
 namespace {
 
+using drawing::decimals, drawing::number, drawing::table_head, drawing::table_line;
 using reports::baseline_run, reports::bound_run, reports::curve_of, reports::depth_range, reports::kPa,
     reports::parameter_of, reports::repeat_noise_of, reports::sensitivity_in, reports::symbol_of,
     reports::unit_of;
-
-using drawing::decimals, drawing::number, drawing::table_head, drawing::table_line;
 
 using results::SensitivityRow;
 using results::Snapshot;

@@ -12,10 +12,9 @@
 namespace cpt::validation::paper {
 namespace {
 
-using reports::draw_heading, reports::kPa, reports::Legend, reports::MPa, reports::NamedFigure;
-
 using drawing::Box, drawing::Pen, drawing::plain, drawing::Svg, drawing::symbolic, drawing::XyCurve,
     drawing::XyPlot;
+using reports::draw_heading, reports::kPa, reports::Legend, reports::MPa, reports::NamedFigure;
 namespace palette = drawing::palette;
 
 using results::Histories;

@@ -16,10 +16,9 @@
 namespace cpt::validation::paper {
 namespace {
 
-using reports::draw_heading, reports::kPa, reports::Legend, reports::NamedFigure;
-
 using drawing::Box, drawing::Pen, drawing::plain, drawing::Rich, drawing::Svg, drawing::symbolic,
     drawing::XyCurve, drawing::XyPlot;
+using reports::draw_heading, reports::kPa, reports::Legend, reports::NamedFigure;
 namespace palette = drawing::palette;
 
 using solver::ElementRow;

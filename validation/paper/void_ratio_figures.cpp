@@ -16,10 +16,9 @@
 namespace cpt::validation::paper {
 namespace {
 
-using reports::draw_heading, reports::Legend;
-
 using drawing::Axis, drawing::Box, drawing::Edge, drawing::Pen, drawing::plain, drawing::Point, drawing::Svg,
     drawing::symbolic, drawing::XyCurve, drawing::XyPlot;
+using reports::draw_heading, reports::Legend;
 namespace palette = drawing::palette;
 
 using results::Histories;
