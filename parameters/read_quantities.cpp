@@ -166,9 +166,9 @@ class QuantitiesReader {
     if (any_soil_ || solver::matters(*named.quantity, setup_)) return true;
     const std::string& soil = named.quantity->soil;
     errors_.add(named.member->place, named.key,
-                soil.empty()
-                    ? fmt::format("has no effect: no layer is of {}", solver::acts_on_text(*named.quantity))
-                    : fmt::format("has no effect: the profile has no {}", soil));
+                soil.empty() ? fmt::format("has no effect: it acts on {}, and no layer is of that",
+                                           solver::acts_on_text(*named.quantity))
+                             : fmt::format("has no effect: the profile has no {}", soil));
     return false;
   }
 

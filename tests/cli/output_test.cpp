@@ -51,7 +51,7 @@ class Output : public testing::Test {
     ASSERT_EQ(run(campaign({folder->study(), "--quiet", "--executor", FAKE_REALIZATION}), law).exit_code, 0);
     fs::create_directory(folder->file("runs"));
     fs::copy_file(folder->file("small.sqlite"), folder->file("runs/homogeneous_sand.sqlite"));
-    ASSERT_EQ(run(campaign({"export", folder->study(), "--format", "json"})).exit_code, 0);
+    ASSERT_EQ(run(campaign({"export", folder->study(), "--format", "dakota"})).exit_code, 0);
     ASSERT_EQ(run(campaign(diagnosis()), law).exit_code, 0);
     ASSERT_EQ(run(campaign(concealed()), law).exit_code, 0);
     for (const char* id : {"1", "2"})
@@ -90,7 +90,7 @@ class Output : public testing::Test {
             {"compare", study, study},
             {"prune", study},
             {"export", study, "--to", folder->file("tables")},
-            {"import", folder->file("small.json"), "--to", folder->file("copy.sqlite")},
+            {"import", folder->file("small.dat"), "--study", study, "--to", folder->file("copy.sqlite")},
             {"report", study, "--directory", folder->file("page")},
             {"report", study, "--directory", folder->file("page"), "--watch", "--every", "0.1"},
             push(),

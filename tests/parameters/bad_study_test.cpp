@@ -156,7 +156,8 @@ TEST(BadStudy, Rows) {
           "already given as fixed.sand.H in line 8", "keep one"),
       bad("[fixed]\nsand.H = 30\n\"sand.H\" = 31\n", 9, "fixed.sand.H", "already given", "keep one"),
       bad_row("clay.s_u_kPa = { upper = 30 }", "clay.s_u_kPa", "has no effect: the profile has no clay"),
-      bad_fixed("contact.adhesion_ratio = 0.3", "contact.adhesion_ratio", "the profile has no clay"),
+      bad_fixed("contact.adhesion_ratio = 0.3", "contact.adhesion_ratio",
+                "acts on Tresca, Mohr-Coulomb, and no layer is of that"),
       {"profile = \"homogeneous_clay\"\n" + window + "[parameters]\nsand.H = { upper = 75 }\n", 7,
        "parameters.sand.H", "the profile has no sand", ""},
   });
