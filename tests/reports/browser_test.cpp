@@ -111,6 +111,26 @@ TEST_F(Page, SaysWhatIsNoiseAndWhatIsOutOfLine) {
   EXPECT_NE(text("#table tr.doubtful").find("energy error -18 %"), std::string::npos);
 }
 
+TEST_F(Page, AnyChannelThatWasRecordedIsDrawn) {
+  show(run_made_up(sand_study(folder)));
+  EXPECT_EQ(value("[...document.querySelectorAll('#channel option')].map((option) => option.value)"),
+            json({"q_c", "f_s"}))
+      << "nobody recorded the wall's stress";
+  const auto there = [&](const std::string& channel) {
+    return value("value_at(curves[0], curves[0].depth_m[100]) === curves[0]." + channel + "_kPa[100]");
+  };
+  EXPECT_TRUE(there("q_c").get<bool>());
+  (void)value(
+      "(() => { const choice = document.getElementById('channel'); choice.value = 'f_s';"
+      "choice.dispatchEvent(new Event('change')); return 0; })()");
+  EXPECT_TRUE(there("f_s").get<bool>());
+  EXPECT_NE(value("document.getElementById('profile-plot').getAttribute('aria-label')")
+                .get<std::string>()
+                .find("sleeve friction over depth"),
+            std::string::npos);
+  EXPECT_NE(text("#profile-plot svg").find("(kPa)"), std::string::npos);
+}
+
 TEST_F(Page, PointerReadsAndHighlightsTheNearestCurve) {
   const auto campaign = run_made_up(sand_study(folder));
   const int hard = id_of(campaign, "sand.H", "upper");

@@ -61,7 +61,7 @@ class Page : public ::testing::Test {
               "\"]'), svg = path.ownerSVGElement, curve = curve_of.get(" + std::to_string(id) +
               "), depth = " + std::to_string(depth) + ";" +
               R"js(
-           const p = new DOMPoint(svg.scale('x').apply(q_at(curve, depth)), svg.scale('y').apply(depth))
+           const p = new DOMPoint(svg.scale('x').apply(value_at(curve, depth)), svg.scale('y').apply(depth))
              .matrixTransform(svg.getScreenCTM());
            return [p.x, p.y]; })())js");
     return {at.at(0), at.at(1)};
