@@ -18,13 +18,13 @@ namespace {
 solver::Setup short_push(Wall wall) {
   solver::Setup setup = make_setup(Profile::homogeneous_sand, Preset::quick);
   setup.chamber.wall = wall;
-  setup.penetrometer.final_depth = 0.10;
+  setup.penetrometer.final_depth = 0.07;
   return setup;
 }
 
 DepthProfile profile_of(const solver::Setup& setup) {
   Observer observer;
-  const Outcome outcome = simulate(setup, observer, {2});
+  const Outcome outcome = simulate(setup, observer, {1});
   EXPECT_EQ(outcome.status, Status::completed) << outcome.reason;
   return outcome.profile;
 }
