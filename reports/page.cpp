@@ -94,8 +94,9 @@ Json page_data(const Snapshot& s, const PageContext& context) {
   for (const solver::Channel& channel : solver::channels())
     if (std::ranges::any_of(s.curves,
                             [&](const auto& curve) { return !(curve.profile.*channel.values).empty(); }))
-      data["channels"].push_back(
-          {{"name", channel.name}, {"symbol", label(symbolic(channel.symbol))}, {"title", channel.title}});
+      data["channels"].push_back({{"name", channel.name},
+                                  {"symbol", label(drawing::symbolic(channel.symbol))},
+                                  {"title", channel.title}});
   data["diagnoses"] = answers(context.diagnoses);
   data["state"] = state_of(s);
   data["notes"] = context.notes;
