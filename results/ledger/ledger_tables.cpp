@@ -95,9 +95,9 @@ RowTable<WindowMeanRow> make_window_mean_table() {
     row.bins > 0 ? statement.bind(row.bins) : statement.bind_or_null("");
   };
   for (std::size_t k = 1; k < solver::channels().size(); ++k)
-    table.columns.push_back(
-        column_of<Mean>(in_unit(solver::channels()[k], "mean_kPa"), "",
-                        [k](Mean& row) -> double& { return row.other_means_kPa[k - 1]; }));
+    table.columns.push_back(column_of<Mean>(
+        in_unit(solver::channels()[k], "mean_kPa"),
+        "", [k](auto& row) -> auto& { return row.other_means_kPa[k - 1]; }));
   return table;
 }
 

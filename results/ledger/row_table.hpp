@@ -60,7 +60,8 @@ constexpr std::string_view type_of() {
     return "BLOB";
 }
 
-/// `get` gives a reference to what a row holds. Empty text and arrays are NULL where the rule lets them.
+/// `get` gives a reference to what a row holds, a constant one of a constant row. Empty text and arrays are
+/// NULL where the rule lets them.
 template <class Row, class Get>
 RowColumn<Row> column_of(std::string name, std::string rule, Get get) {
   using T = std::remove_cvref_t<std::invoke_result_t<Get, Row&>>;
@@ -70,7 +71,7 @@ RowColumn<Row> column_of(std::string name, std::string rule, Get get) {
   column.type = type_of<T>();
   column.rule = std::move(rule);
   column.bind = [get, required](Statement& statement, const Row& row) {
-    const T& value = get(const_cast<Row&>(row));  // NOLINT: read only
+    const T& value = get(row);
     if constexpr (std::is_same_v<T, std::string>)
       required ? statement.bind(value) : statement.bind_or_null(value);
     else if constexpr (std::is_same_v<T, std::vector<double>>)
@@ -92,7 +93,7 @@ RowColumn<Row> column_of(std::string name, std::string rule, Get get) {
       value = statement.number(place);
   };
   column.cell = [get](const Row& row) -> Cell {
-    const T& value = get(const_cast<Row&>(row));  // NOLINT: read only
+    const T& value = get(row);
     if constexpr (std::is_same_v<T, std::string>)
       return value;
     else if constexpr (std::is_same_v<T, std::vector<double>>)
@@ -108,12 +109,13 @@ RowColumn<Row> column_of(std::string name, std::string rule, Get get) {
 /// A member of the row, or a member of a member.
 template <class Row, class T>
 RowColumn<Row> column(std::string name, std::string rule, T Row::*member) {
-  return column_of<Row>(std::move(name), std::move(rule), [member](Row& row) -> T& { return row.*member; });
+  return column_of<Row>(
+      std::move(name), std::move(rule), [member](auto& row) -> auto& { return row.*member; });
 }
 template <class Row, class Part, class T>
 RowColumn<Row> column(std::string name, std::string rule, Part Row::*part, T Part::*member) {
-  return column_of<Row>(std::move(name), std::move(rule),
-                        [part, member](Row& row) -> T& { return row.*part.*member; });
+  return column_of<Row>(
+      std::move(name), std::move(rule), [ part, member ](auto& row) -> auto& { return row.*part.*member; });
 }
 
 /// "id, parameter, side"
