@@ -6,6 +6,8 @@
 
 namespace cpt::drawing::bar_rows {
 
+Box row(const Svg& svg, double y) { return {0.0, y - 0.5 * pitch, svg.width(), pitch}; }
+
 void draw_label(Svg& svg, const Box& plot, double y, const Rich& label) {
   svg.text({plot.x - 8.0, y + 0.34 * label_size}, label, {.size = label_size, .anchor = Anchor::end});
 }

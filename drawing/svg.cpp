@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
+
+#include "drawing/palette.hpp"
 
 namespace cpt::drawing {
 namespace {
@@ -17,15 +20,22 @@ std::string length(double value) {
   return text == "-0" ? "0" : text;
 }
 
-std::string stroke(const Pen& pen) {
-  std::string text = fmt::format(" stroke=\"{}\" stroke-width=\"{}\"", pen.color, length(pen.width));
+}  // namespace
+
+Svg::Svg(double width, double height, std::string id, Ground ground)
+    : width_(width), height_(height), id_(std::move(id)), ground_(ground) {}
+
+std::string Svg::paint(std::string_view color) const {
+  const auto* const named = std::ranges::find(palette::names, color, &palette::Name::color);
+  return ground_ == Ground::file || named == palette::names.end() ? std::string(color)
+                                                                  : fmt::format("var(--{})", named->name);
+}
+
+std::string Svg::stroke(const Pen& pen) const {
+  std::string text = fmt::format(" stroke=\"{}\" stroke-width=\"{}\"", paint(pen.color), length(pen.width));
   if (!pen.dash.empty()) text += fmt::format(" stroke-dasharray=\"{}\"", pen.dash);
   return text;
 }
-
-}  // namespace
-
-Svg::Svg(double width, double height, std::string id) : width_(width), height_(height), id_(std::move(id)) {}
 
 void Svg::line(Point from, Point to, const Pen& pen) {
   fmt::format_to(std::back_inserter(body_), "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"{}/>\n",
@@ -35,7 +45,7 @@ void Svg::line(Point from, Point to, const Pen& pen) {
 void Svg::rectangle(const Box& box, std::string_view fill, double opacity) {
   fmt::format_to(std::back_inserter(body_),
                  "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"{}/>\n", length(box.x),
-                 length(box.y), length(box.width), length(box.height), fill,
+                 length(box.y), length(box.width), length(box.height), paint(fill),
                  opacity < 1.0 ? fmt::format(" fill-opacity=\"{}\"", length(opacity)) : "");
 }
 
@@ -47,7 +57,7 @@ void Svg::frame(const Box& box, const Pen& pen) {
 
 void Svg::circle(Point centre, double radius, std::string_view fill, const Pen& outline) {
   fmt::format_to(std::back_inserter(body_), "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"{}/>\n",
-                 length(centre.x), length(centre.y), length(radius), fill, stroke(outline));
+                 length(centre.x), length(centre.y), length(radius), paint(fill), stroke(outline));
 }
 
 void Svg::polyline(std::span<const Point> points, const Pen& pen) {
@@ -70,7 +80,7 @@ void Svg::polygon(std::span<const Point> corners, std::string_view fill) {
   std::string points;
   for (const Point& p : corners)
     fmt::format_to(std::back_inserter(points), "{},{} ", length(p.x), length(p.y));
-  fmt::format_to(std::back_inserter(body_), "<polygon points=\"{}\" fill=\"{}\"/>\n", points, fill);
+  fmt::format_to(std::back_inserter(body_), "<polygon points=\"{}\" fill=\"{}\"/>\n", points, paint(fill));
 }
 
 void Svg::image(const Box& box, std::string_view uri) {
@@ -96,14 +106,13 @@ void Svg::text(Point at, const Rich& text, const TextStyle& style) {
                     below ? fmt::format(" font-size=\"{}\"", length(style.size * subscript_size)) : "",
                     escape(span.text));
   }
-  fmt::format_to(std::back_inserter(body_),
-                 "<text {} font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}{}>{}</text>\n", place,
-                 length(style.size), anchors[static_cast<int>(style.anchor)], style.color,
-                 style.bold ? " font-weight=\"bold\"" : "",
-                 style.halo ? " stroke=\"#ffffff\" stroke-width=\"2.4\" stroke-linejoin=\"round\" "
-                              "paint-order=\"stroke\""
-                            : "",
-                 spans);
+  fmt::format_to(
+      std::back_inserter(body_), "<text {} font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}{}>{}</text>\n",
+      place, length(style.size), anchors[static_cast<int>(style.anchor)], paint(style.color),
+      style.bold ? " font-weight=\"bold\"" : "",
+      style.halo ? stroke({palette::paper, 2.4, {}}) + " stroke-linejoin=\"round\" paint-order=\"stroke\""
+                 : "",
+      spans);
 }
 
 void Svg::begin_clip(const Box& box) {
@@ -116,7 +125,21 @@ void Svg::begin_clip(const Box& box) {
 
 void Svg::end_clip() { body_ += "</g>\n"; }
 
+void Svg::begin_part(const Box& box, std::string_view words) {
+  fmt::format_to(std::back_inserter(body_),
+                 "<g>\n<title>{}</title>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" "
+                 "pointer-events=\"all\"/>\n",
+                 escape(words), length(box.x), length(box.y), length(box.width), length(box.height));
+}
+
+void Svg::end_part() { body_ += "</g>\n"; }
+
 std::string Svg::document(std::string_view title) const {
+  if (ground_ == Ground::page)
+    return fmt::format(
+        "<svg role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {} {}\" font-family=\"{}\" "
+        "xml:space=\"preserve\">\n{}</svg>\n",
+        escape(title), length(width_), length(height_), font_family, body_);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}pt\" height=\"{1}pt\" viewBox=\"0 0 {0} {1}\" "
       "font-family=\"{2}\" xml:space=\"preserve\">\n<title>{3}</title>\n"

@@ -35,10 +35,14 @@ struct TextStyle {
   bool upward = false;  ///< turned by 90 degrees, read from bottom to top
 };
 
+/// Where a figure stands. A file has its size on paper, a title and white ground; in a page its place gives
+/// the width, and the style sheet the colours, by their names in palette.hpp.
+enum class Ground { file, page };
+
 class Svg {
  public:
   /// `id` makes the ids inside the figure unique on a page with several; letters, digits and '_' only.
-  Svg(double width, double height, std::string id);
+  Svg(double width, double height, std::string id, Ground ground = Ground::file);
 
   void line(Point from, Point to, const Pen& pen);
   void rectangle(const Box& box, std::string_view fill, double opacity = 1.0);
@@ -56,13 +60,22 @@ class Svg {
   void begin_clip(const Box& box);
   void end_clip();
 
-  /// The complete SVG document, white behind.
+  /// What is drawn until end_part() is told in words where the pointer rests anywhere in the box.
+  void begin_part(const Box& box, std::string_view words);
+  void end_part();
+
+  /// The complete SVG document. In a page the title is what the figure is called, not shown.
   [[nodiscard]] std::string document(std::string_view title) const;
   [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] Ground ground() const { return ground_; }
 
  private:
+  [[nodiscard]] std::string paint(std::string_view color) const;
+  [[nodiscard]] std::string stroke(const Pen& pen) const;
+
   double width_, height_;
   std::string id_;
+  Ground ground_;
   std::string body_;
   int clips_ = 0;
 };

@@ -144,6 +144,12 @@ Rich operator+(Rich left, const Rich& right) {
   return left;
 }
 
+std::string words_of(const Rich& text) {
+  std::string words;
+  for (const Span& span : text) words += span.text;
+  return words;
+}
+
 std::string html(const Rich& text) {
   std::string out;
   for (const Span& span : text)

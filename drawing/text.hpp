@@ -25,6 +25,8 @@ using Rich = std::vector<Span>;
 /// digits.
 [[nodiscard]] Rich symbolic(std::string_view text);
 [[nodiscard]] Rich operator+(Rich left, const Rich& right);
+/// Its letters alone.
+[[nodiscard]] std::string words_of(const Rich& text);
 /// "<sub>" markup for pages.
 [[nodiscard]] std::string html(const Rich& text);
 
