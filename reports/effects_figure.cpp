@@ -29,6 +29,7 @@ constexpr std::size_t most_rows = 20;
 struct Drawn {
   std::string_view bar, circle;  ///< quantities
   Rich axis, bar_words, circle_words;
+  std::string_view words;
 };
 
 Drawn drawn_of(std::string_view design) {
@@ -37,18 +38,31 @@ Drawn drawn_of(std::string_view design) {
             "",
             symbolic("interaction in the average q_c (kPa)"),
             plain("interaction, its 95 % interval from the repeats"),
-            {}};
+            {},
+            "Bars: interaction of two inputs; lines: 95 % interval from the repeats."};
   if (design == "morris")
-    return {"mu_star", "sigma", symbolic("elementary effect on the average q_c, lower to upper bound (kPa)"),
-            plain("mean size μ* with 95 % interval"), plain("standard deviation σ")};
-  return {"total_order", "first_order", symbolic("share of the variance of the average q_c (–)"),
-          plain("with all interactions (total order), 95 % interval"), plain("alone (first order)")};
+    return {
+        "mu_star",
+        "sigma",
+        symbolic("elementary effect on the average q_c (kPa)"),
+        plain("mean size μ* from lower to upper bound, 95 % interval"),
+        plain("standard deviation σ"),
+        "Bars: mean size μ* of the elementary effects, from lower to upper bound, with its 95 % interval; "
+        "circles: their standard deviation σ, large where the effect is not linear or depends on other "
+        "inputs."};
+  return {"total_order",
+          "first_order",
+          symbolic("share of the variance of the average q_c (–)"),
+          plain("with all interactions (total order), 95 % interval"),
+          plain("alone (first order)"),
+          "Bars: share of the variance with all interactions (total order) and its 95 % interval; circles: "
+          "alone (first order)."};
 }
 
 /// A parameter, or a pair of them.
 struct EffectBar {
   EffectRow row;
-  double circle = NAN;
+  EffectRow circle;  ///< its value NaN where there is none
   Rich label;
 };
 
@@ -57,12 +71,13 @@ std::vector<EffectBar> effect_bars(const Snapshot& s, const Effects& effects, co
   std::vector<EffectBar> bars;
   for (const EffectRow& row : effects.rows) {
     if (row.window != window || row.quantity != drawn.bar) continue;
-    EffectBar bar{row, NAN, symbol_of(s, parameter_of(s, row.parameter))};
+    EffectBar bar{row, {}, symbol_of(s, parameter_of(s, row.parameter))};
+    bar.circle.value = NAN;
     if (!row.other_parameter.empty())
       bar.label = bar.label + plain(" × ") + symbol_of(s, parameter_of(s, row.other_parameter));
     for (const EffectRow& other : effects.rows)
       if (other.window == window && other.quantity == drawn.circle && other.parameter == row.parameter)
-        bar.circle = other.value;
+        bar.circle = other;
     bars.push_back(std::move(bar));
   }
   const auto size = [](const EffectBar& bar) {
@@ -77,7 +92,7 @@ std::vector<EffectBar> effect_bars(const Snapshot& s, const Effects& effects, co
 Axis effects_axis(const std::vector<EffectBar>& bars, const Box& plot) {
   double low = 0.0, high = 0.0;
   for (const EffectBar& bar : bars)
-    for (const double value : {bar.row.value, bar.row.lower, bar.row.upper, bar.circle})
+    for (const double value : {bar.row.value, bar.row.lower, bar.row.upper, bar.circle.value})
       if (std::isfinite(value)) {
         low = std::min(low, value);
         high = std::max(high, value);
@@ -89,7 +104,7 @@ Axis effects_axis(const std::vector<EffectBar>& bars, const Box& plot) {
 }
 
 void draw_circle(Svg& svg, double x, double y) {
-  svg.circle({x, y}, 2.4, "#ffffff", {palette::vermillion, 1.1, {}});
+  svg.circle({x, y}, 2.4, palette::paper, {palette::vermillion, 1.1, {}});
 }
 
 void draw_effect(Svg& svg, const Axis& axis, const EffectBar& bar, double y) {
@@ -98,7 +113,7 @@ void draw_effect(Svg& svg, const Axis& axis, const EffectBar& bar, double y) {
   if (!std::isfinite(row.value)) {
     svg.text({zero + 4.0, base},
              plain(shortened("× " + row.note, axis.to - zero - 8.0, bar_rows::value_size)),
-             {.size = bar_rows::value_size, .color = palette::vermillion, .halo = true});
+             {.size = bar_rows::value_size, .color = palette::warn, .halo = true});
     return;
   }
   const double x = axis(row.value);
@@ -109,12 +124,25 @@ void draw_effect(Svg& svg, const Axis& axis, const EffectBar& bar, double y) {
     bar_rows::draw_whisker(svg, axis(row.lower), axis(row.upper), y);
     end = std::max(end, axis(row.upper));
   }
-  if (std::isfinite(bar.circle)) {
-    draw_circle(svg, axis(bar.circle), y);
-    end = std::max(end, axis(bar.circle) + 2.4);
+  if (std::isfinite(bar.circle.value)) {
+    draw_circle(svg, axis(bar.circle.value), y);
+    end = std::max(end, axis(bar.circle.value) + 2.4);
   }
   const std::string text = row.unit == "-" ? decimals(row.value, 3) : number(row.value, 3);
   svg.text({end + 3.0, base}, plain(text), {.size = bar_rows::value_size, .halo = true});
+}
+
+/// The numbers of a bar, a line each.
+std::string words_of_bar(const EffectBar& bar) {
+  const EffectRow& row = bar.row;
+  const std::string unit = row.unit == "-" ? "" : " " + row.unit;
+  std::string words =
+      fmt::format("{}\n{}: {}{}", words_of(bar.label), row.quantity, number(row.value, 4), unit);
+  if (std::isfinite(row.lower))
+    words += fmt::format("\n95 %: {} to {}{}", number(row.lower, 4), number(row.upper, 4), unit);
+  if (std::isfinite(bar.circle.value))
+    words += fmt::format("\n{}: {}{}", bar.circle.quantity, number(bar.circle.value, 4), unit);
+  return row.note.empty() ? words : words + "\n" + row.note;
 }
 
 /// What the reader must know: how well the fit is, what is missing.
@@ -140,9 +168,11 @@ FlowLegend effects_legend(const Drawn& drawn) {
 
 }  // namespace
 
+std::string effects_legend_words(std::string_view design) { return std::string(drawn_of(design).words); }
+
 std::optional<std::string> effects_figure(const Snapshot& campaign, const Effects& effects,
-                                          const results::WindowRow& window, Column column) {
-  const double figure_width = width_of(column);
+                                          const results::WindowRow& window, Place place) {
+  const double figure_width = width_of(place.column);
   const Drawn drawn = drawn_of(effects.design);
   const std::vector<EffectBar> bars = effect_bars(campaign, effects, drawn, window.name);
   if (bars.empty() || !std::isfinite(bars.front().row.value)) return std::nullopt;
@@ -157,20 +187,21 @@ std::optional<std::string> effects_figure(const Snapshot& campaign, const Effect
   if (const std::string text = remark(effects, window.name, bars); !text.empty())
     lines.push_back(plain(shortened(text, room, 8.0)));
   const double plot_height = bar_rows::pitch * static_cast<double>(bars.size()) + 4.0;
-  const double heading =
-      23.0 + 12.5 * (static_cast<double>(lines.size()) + (all_completed(campaign) ? 0.0 : 1.0));
+  const double heading = heading_height(campaign, lines.size(), place.ground);
   const FlowLegend legend = effects_legend(drawn);
-  Svg svg(figure_width, heading + 4.0 + plot_height + 50.0 + legend.height(room), "effects");
+  Svg svg(figure_width, heading + 4.0 + plot_height + 50.0 + legend.height(room), "effects", place.ground);
   const double top = draw_heading(svg, campaign, campaign.campaign.title, lines);
   const double left = 14.0 + label_width + 8.0;
   const Box plot{left, top + 4.0, figure_width - 14.0 - left, plot_height};
   const Axis axis = effects_axis(bars, plot);
 
-  draw_horizontal(svg, plot, axis, Edge::bottom, drawn.axis, column == Column::single ? 4 : 6);
+  draw_horizontal(svg, plot, axis, Edge::bottom, drawn.axis, place.column == Column::single ? 4 : 6);
   double y = plot.y + 2.0 + 0.5 * bar_rows::pitch;
   for (const EffectBar& bar : bars) {
+    svg.begin_part(bar_rows::row(svg, y), words_of_bar(bar));
     bar_rows::draw_label(svg, plot, y, bar.label);
     draw_effect(svg, axis, bar, y);
+    svg.end_part();
     y += bar_rows::pitch;
   }
   svg.line({axis(0.0), plot.y}, {axis(0.0), plot.bottom()}, {palette::ink, 0.6, {}});

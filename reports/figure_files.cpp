@@ -30,7 +30,51 @@ std::string file_part(const std::string& name, std::set<std::string>& taken) {
   return unique;
 }
 
+/// Which noise the indices of a window are held against; the caption's end.
+std::string noise_words(const results::Snapshot& campaign, const std::string& window) {
+  const std::string spread = "the dashed line is the spread of the baseline inside the window";
+  if (const results::RepeatNoiseRow* noise = repeat_noise_of(campaign, window)) {
+    const std::string so_far = results::repeats_so_far(campaign);
+    const bool paired =
+        std::ranges::any_of(sensitivity_in(campaign, window), [](const auto& row) { return row.pairs > 0; });
+    return fmt::format(
+        ", with its own 95 % interval from {} runs of the baseline with shifted material points{}{}, which "
+        "says "
+        "what is noise; {}.",
+        noise->runs, so_far.empty() ? "" : ", " + so_far,
+        paired ? ", or where its bounds were repeated, too, from these pairs" : "", spread);
+  }
+  const auto repeat = [](const results::RealizationRow& run) { return run.side == "repeat"; };
+  const char* why = std::ranges::none_of(campaign.realizations, repeat) ? ": the study has no repeats"
+                    : results::repeats_so_far(campaign).empty()         ? ": too few repeats completed"
+                                                                        : " until the repeats have run";
+  return fmt::format("; {}, which is the noise here{}.", spread, why);
+}
+
 }  // namespace
+
+std::vector<NamedFigure> window_figures(const results::Snapshot& campaign, const results::Effects& effects,
+                                        const results::WindowRow& window, const std::string& part,
+                                        Place place) {
+  std::string design = effects.design;
+  std::ranges::replace(design, '_', ' ');
+  return {
+      {"tornado_" + part,
+       fmt::format("Range of the average cone resistance in window {} between each input's lower and upper "
+                   "bound, whose values stand at the bar's ends.",
+                   window.name),
+       tornado_figure(campaign, window, place)},
+      {"sensitivity_" + part,
+       fmt::format(
+           "Sensitivity index SI of each input in window {}: the change of the average from the lower to "
+           "the upper bound over that at the upper bound{}",
+           window.name, noise_words(campaign, window.name)),
+       sensitivity_figure(campaign, window, place)},
+      {"effects_" + part,
+       fmt::format("What the design {} says of the inputs in window {}. {}", design, window.name,
+                   effects_legend_words(effects.design)),
+       effects_figure(campaign, effects, window, place)}};
+}
 
 void make_directory(const fs::path& directory) { results::make_folder(directory); }
 
@@ -40,26 +84,10 @@ std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign, con
                                           drawing::Column column) {
   std::vector<NamedFigure> figures;
   std::set<std::string> taken;
-  for (const results::WindowRow& window : campaign.windows) {
-    const std::string part = file_part(window.name, taken);
-    const bool repeated = repeat_noise_of(campaign, window.name) != nullptr;
-    figures.push_back({"tornado_" + part,
-                       fmt::format("Range of the average cone resistance in window {} between each input's "
-                                   "lower and upper bound, whose values stand at the bar's ends.",
-                                   window.name),
-                       tornado_figure(campaign, window, column)});
-    figures.push_back(
-        {"sensitivity_" + part,
-         fmt::format("Sensitivity index of each input in window {}{}; the dashed line is "
-                     "SI_noise, the spread of the baseline inside the window{}.",
-                     window.name, repeated ? " with its own 95 % interval, which says what is noise" : "",
-                     repeated ? "" : ", which says what is noise"),
-         sensitivity_figure(campaign, window, column)});
-    figures.push_back({"effects_" + part,
-                       fmt::format("What the design {} says of the inputs in window {}, with 95 % intervals.",
-                                   effects.design, window.name),
-                       effects_figure(campaign, effects, window, column)});
-  }
+  for (const results::WindowRow& window : campaign.windows)
+    for (NamedFigure& figure :
+         window_figures(campaign, effects, window, file_part(window.name, taken), column))
+      figures.push_back(std::move(figure));
   figures.push_back({"profiles",
                      "Cone resistance of all realizations; those furthest from the baseline in a window are "
                      "told apart.",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drawing/column.hpp"
+#include "reports/place.hpp"
 #include "results/ledger/snapshot.hpp"
 #include "results/statistics/effects.hpp"
 
@@ -18,7 +19,13 @@ struct NamedFigure {
   std::optional<std::string> svg;  ///< nothing where the results it needs are not there
 };
 
-/// Tornado, indices and the design's effects (none without a design) of every window, profiles, baseline.
+/// Tornado, indices and the design's effects (none without a design) of a window; `part` ends their names.
+[[nodiscard]] std::vector<NamedFigure> window_figures(const results::Snapshot& campaign,
+                                                      const results::Effects& effects,
+                                                      const results::WindowRow& window,
+                                                      const std::string& part, Place place);
+
+/// Those of every window, profiles, baseline.
 [[nodiscard]] std::vector<NamedFigure> campaign_figures(
     const results::Snapshot& campaign, const results::Effects& effects = {},
     drawing::Column column = drawing::Column::one_and_half);

@@ -1,10 +1,13 @@
-// The figures of a report, each a complete SVG document; nullopt where its results are not there yet.
+// The figures of a report, each a complete SVG document for a file or a page; nullopt where its results are
+// not there yet.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "drawing/column.hpp"
+#include "reports/place.hpp"
 #include "results/ledger/snapshot.hpp"
 #include "results/statistics/effects.hpp"
 
@@ -12,22 +15,23 @@ namespace cpt::reports {
 
 /// Range of the average q_c in a window between each parameter's bounds, widest first, with the bounds'
 /// values at the ends (Yost et al. 2023, Fig. 11).
-[[nodiscard]] std::optional<std::string> tornado_figure(
-    const results::Snapshot& campaign, const results::WindowRow& window,
-    drawing::Column column = drawing::Column::one_and_half);
+[[nodiscard]] std::optional<std::string> tornado_figure(const results::Snapshot& campaign,
+                                                        const results::WindowRow& window, Place place = {});
 
 /// |SI| of every parameter in a window, largest first, against SI_noise (Fig. 12). Negative ones are marked,
 /// undefined ones listed with their reason.
-[[nodiscard]] std::optional<std::string> sensitivity_figure(
-    const results::Snapshot& campaign, const results::WindowRow& window,
-    drawing::Column column = drawing::Column::one_and_half);
+[[nodiscard]] std::optional<std::string> sensitivity_figure(const results::Snapshot& campaign,
+                                                            const results::WindowRow& window,
+                                                            Place place = {});
 
 /// What the study's design says of every parameter (or pair) in a window, largest first: a bar with its 95 %
 /// interval for mu*, the total-order index or the interaction, a circle for sigma or the first-order index.
 /// The twenty largest where there are more.
-[[nodiscard]] std::optional<std::string> effects_figure(
-    const results::Snapshot& campaign, const results::Effects& effects, const results::WindowRow& window,
-    drawing::Column column = drawing::Column::one_and_half);
+[[nodiscard]] std::optional<std::string> effects_figure(const results::Snapshot& campaign,
+                                                        const results::Effects& effects,
+                                                        const results::WindowRow& window, Place place = {});
+/// What its bars and circles are, in a sentence.
+[[nodiscard]] std::string effects_legend_words(std::string_view design);
 
 /// q_c over depth of all realizations, the baseline and those furthest from it told apart (Fig. 10).
 [[nodiscard]] std::optional<std::string> profiles_figure(

@@ -14,7 +14,7 @@ using drawing::plain, drawing::Rich, drawing::Svg, drawing::symbolic;
 namespace palette = drawing::palette;
 
 constexpr double heading_left = 8.0;  // of a figure's heading
-constexpr double line_size = 8.0;
+constexpr double line_size = 8.0, line_pitch = 12.5, title_base = 17.0, below_heading = 6.0;
 
 }  // namespace
 
@@ -124,18 +124,25 @@ std::string state_of(const Snapshot& campaign) {
   return text;
 }
 
+double heading_height(const Snapshot& campaign, std::size_t lines, drawing::Ground ground) {
+  if (ground == drawing::Ground::page) return 0.0;
+  return title_base + below_heading +
+         line_pitch * static_cast<double>(lines + (all_completed(campaign) ? 0 : 1));
+}
+
 double draw_heading(Svg& svg, const Snapshot& campaign, std::string_view title,
                     const std::vector<Rich>& lines) {
+  if (svg.ground() == drawing::Ground::page) return 0.0;
   constexpr double title_size = 10.0;
-  double y = 17.0;
+  double y = title_base;
   svg.text({heading_left, y}, plain(shortened(title, svg.width() - 2.0 * heading_left, title_size, true)),
            {.size = title_size, .bold = true});
   for (const Rich& line : lines)
-    svg.text({heading_left, y += 12.5}, line, {.size = line_size, .color = palette::muted});
+    svg.text({heading_left, y += line_pitch}, line, {.size = line_size, .color = palette::muted});
   if (!all_completed(campaign))
-    svg.text({heading_left, y += 12.5}, plain(state_of(campaign)),
+    svg.text({heading_left, y += line_pitch}, plain(state_of(campaign)),
              {.size = line_size, .color = palette::vermillion});
-  return y + 6.0;
+  return y + below_heading;
 }
 
 void draw_heading(Svg& svg, std::string_view title, const Rich& line) {

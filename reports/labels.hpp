@@ -45,8 +45,11 @@ namespace cpt::reports {
 [[nodiscard]] std::string state_of(const results::Snapshot& campaign);
 [[nodiscard]] bool all_completed(const results::Snapshot& campaign);
 
+/// Of what draw_heading() draws, with so many lines.
+[[nodiscard]] double heading_height(const results::Snapshot& campaign, std::size_t lines,
+                                    drawing::Ground ground = drawing::Ground::file);
 /// Bold title and grey lines in the upper left corner; returns the y below them. Says the campaign's state
-/// where it is not complete.
+/// where it is not complete. Nothing in a page, which says all of this.
 double draw_heading(drawing::Svg& svg, const results::Snapshot& campaign, std::string_view title,
                     const std::vector<drawing::Rich>& lines);
 /// Title and one grey line of a figure that belongs to no campaign; they end 32 points below the upper edge.

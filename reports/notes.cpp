@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "drawing/text.hpp"
+#include "reports/labels.hpp"
 #include "results/push/push_start.hpp"
 
 namespace cpt::reports {
@@ -72,6 +75,25 @@ std::string window_remark(const Snapshot& campaign, const results::WindowRow& wi
       "in {} of "
       "{} curves the average is too high. Let it begin deeper.",
       deepest, runs, campaign.curves.size());
+}
+
+bool to_come(const Snapshot& campaign, const results::SensitivityRow& row) {
+  const auto waiting = [](const results::RealizationRow* run) { return run != nullptr && run->waiting(); };
+  return waiting(baseline_run(campaign)) || waiting(bound_run(campaign, row.parameter, "lower")) ||
+         waiting(bound_run(campaign, row.parameter, "upper"));
+}
+
+std::string input_words(const Snapshot& campaign, const results::SensitivityRow& row) {
+  const results::ParameterRow& p = parameter_of(campaign, row.parameter);
+  const std::string unit = p.unit.empty() || p.unit == "-" ? "" : " " + p.unit;
+  std::string words = fmt::format("{}: {}", words_of(symbol_of(campaign, p)), p.meaning);
+  for (const auto& [side, value, q_kPa] : {std::tuple{"lower", p.lower_text, row.q_lower_kPa},
+                                           std::tuple{"upper", p.upper_text, row.q_upper_kPa}})
+    words += fmt::format("\n{} {}{}: {} kPa", side, value, unit, drawing::number(q_kPa, 4));
+  if (!std::isfinite(row.si) && to_come(campaign, row)) return words + "\nSI not known yet";
+  words += "\nSI " + drawing::decimals(row.si, 4);
+  if (std::isfinite(row.si_half_width)) words += " ± " + drawing::decimals(row.si_half_width, 4);
+  return row.note.empty() ? words : words + "\n" + row.note;
 }
 
 }  // namespace cpt::reports

@@ -20,4 +20,10 @@ namespace cpt::reports {
 /// What a reader must know of a window's averages: that they hold the start of the push. "" where nothing.
 [[nodiscard]] std::string window_remark(const results::Snapshot& campaign, const results::WindowRow& window);
 
+/// Whether an input has no index only because its runs, or the baseline, are still to come.
+[[nodiscard]] bool to_come(const results::Snapshot& campaign, const results::SensitivityRow& row);
+
+/// An input with the averages at its bounds, its index and what must be known of it; a line each.
+[[nodiscard]] std::string input_words(const results::Snapshot& campaign, const results::SensitivityRow& row);
+
 }  // namespace cpt::reports

@@ -1,10 +1,14 @@
 #include "reports/page.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "drawing/text.hpp"
+#include "reports/diagnosis/figures.hpp"
+#include "reports/figure_files.hpp"
 #include "reports/html/assets.hpp"
 #include "reports/labels.hpp"
 #include "reports/notes.hpp"
@@ -106,6 +110,28 @@ Json page_data(const Snapshot& s, const PageContext& context) {
   return data;
 }
 
+/// The figures of windows and diagnoses, each in a box whose id the scripts know.
+std::string figures(const Snapshot& s, const PageContext& context) {
+  std::string html;
+  const auto add = [&](const NamedFigure& figure) {
+    if (figure.svg)
+      html += fmt::format("<figure class=\"drawn\" id=\"{}\">\n{}<figcaption>{}</figcaption>\n</figure>\n",
+                          figure.name, *figure.svg, drawing::escape(figure.caption));
+  };
+  const Place place{drawing::Column::single, drawing::Ground::page};
+  for (std::size_t k = 0; k < s.windows.size(); ++k)
+    for (const NamedFigure& figure :
+         window_figures(s, context.effects, s.windows[k], std::to_string(k), place))
+      add(figure);
+  for (std::size_t k = 0; k < context.diagnoses.size(); ++k)
+    add({fmt::format("probability_{}", k),
+         "Probability of each hypothesis. Bold: the answer; framed: not ruled out, the set that holds the "
+         "answer "
+         "with 95 % probability; a full bar: the only one left, without reservations.",
+         diagnosed::probability_figure(context.diagnoses[k])});
+  return html;
+}
+
 /// JSON that can stand inside <script>: ASCII without '<', so that no name can end the block or begin
 /// another.
 std::string script_safe(const Json& data) {
@@ -131,9 +157,11 @@ std::string filled(std::string_view text, const std::map<std::string_view, std::
 }  // namespace
 
 std::string page(const Snapshot& s, const PageContext& context) {
-  const std::string title = drawing::escape(s.campaign.title), data = script_safe(page_data(s, context));
+  const std::string title = drawing::escape(s.campaign.title), drawn = figures(s, context),
+                    data = script_safe(page_data(s, context));
   return filled(assets::page, {{"title", title},
                                {"style", assets::style},
+                               {"figures", drawn},
                                {"data", data},
                                {"licences", assets::licences},
                                {"d3", assets::d3},

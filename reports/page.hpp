@@ -19,9 +19,9 @@ struct PageContext {
   std::vector<std::string> notes = {};             ///< what a reader must know first; sentences
 };
 
-/// The page: reports/html/report.html with style, scripts, libraries and all numbers as one JSON block, which
-/// reports/html/*.js draw in the browser. It loads nothing from anywhere. The same input gives the same
-/// bytes.
+/// The page: reports/html/report.html with style, scripts, libraries, the figures of windows and diagnoses as
+/// SVG (window_figures), and all numbers as one JSON block, of which reports/html/*.js make sentences, tables
+/// and curves in the browser. It loads nothing from anywhere. The same input gives the same bytes.
 [[nodiscard]] std::string page(const results::Snapshot& campaign, const PageContext& context = {});
 
 }  // namespace cpt::reports

@@ -9,6 +9,7 @@
 #include "drawing/palette.hpp"
 #include "reports/figures.hpp"
 #include "reports/labels.hpp"
+#include "reports/notes.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -51,12 +52,13 @@ void draw_interval(Svg& svg, const Axis& axis, const SensitivityRow& row, double
 }
 
 /// The index behind its bar, or why there is none; kept clear of the noise line.
-void draw_value(Svg& svg, const Axis& axis, const SensitivityRow& row, double y) {
+void draw_value(Svg& svg, const Axis& axis, const SensitivityRow& row, double y, bool waits) {
   const double base = y + 0.36 * bar_rows::value_size;
   if (!std::isfinite(row.si)) {
     const double room = axis.to - axis.from - 8.0;
-    svg.text({axis.from + 4.0, base}, plain(shortened("× " + row.note, room, bar_rows::value_size)),
-             {.size = bar_rows::value_size, .color = palette::vermillion, .halo = true});
+    const std::string why = waits ? "not run yet" : shortened("× " + row.note, room, bar_rows::value_size);
+    svg.text({axis.from + 4.0, base}, plain(why),
+             {.size = bar_rows::value_size, .color = waits ? palette::muted : palette::warn, .halo = true});
     return;
   }
   const Rich text = plain(decimals(row.si, 3));
@@ -88,8 +90,8 @@ FlowLegend sensitivity_legend(const SensitivityRow& row) {
 }  // namespace
 
 std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const results::WindowRow& window,
-                                              Column column) {
-  const double figure_width = width_of(column);
+                                              Place place) {
+  const double figure_width = width_of(place.column);
   const std::vector<SensitivityRow> rows = sorted_rows(campaign, window.name);
   if (rows.empty() || !std::isfinite(rows.front().si)) return std::nullopt;
   const double noise = rows.front().si_noise;
@@ -101,10 +103,11 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
     labels.push_back(symbol_of(campaign, parameter_of(campaign, row.parameter)));
     label_width = std::max(label_width, width(labels.back(), bar_rows::label_size));
   }
-  const double lines = all_completed(campaign) ? 1.0 : 2.0;
   const double plot_height = bar_rows::pitch * static_cast<double>(rows.size()) + 4.0;
-  Svg svg(figure_width, 23.0 + 12.5 * lines + 4.0 + plot_height + 50.0 + legend.height(figure_width - 28.0),
-          "sensitivity");
+  Svg svg(figure_width,
+          heading_height(campaign, 1, place.ground) + 4.0 + plot_height + 50.0 +
+              legend.height(figure_width - 28.0),
+          "sensitivity", place.ground);
   const Rich what = plain(": ") + symbolic("SI = (q_upper − q_lower) / q_upper") +
                     plain(" over " + depth_range(window.from_m, window.to_m));
   const double top =
@@ -119,7 +122,7 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   const Axis axis{0.0, high, plot.x, plot.right()};
 
   draw_horizontal(svg, plot, axis, Edge::bottom, plain("sensitivity index |SI|"),
-                  column == Column::single ? 4 : 6);
+                  place.column == Column::single ? 4 : 6);
   const auto row_y = [&](std::size_t i) {
     return plot.y + 2.0 + bar_rows::pitch * (static_cast<double>(i) + 0.5);
   };
@@ -127,9 +130,11 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   if (std::isfinite(noise))
     svg.line({axis(noise), plot.y}, {axis(noise), plot.bottom()}, {palette::ink, 1.0, "4 2.5"});
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    svg.begin_part(bar_rows::row(svg, row_y(i)), input_words(campaign, rows[i]));
     bar_rows::draw_label(svg, plot, row_y(i), labels[i]);
     draw_interval(svg, axis, rows[i], row_y(i));
-    draw_value(svg, axis, rows[i], row_y(i));
+    draw_value(svg, axis, rows[i], row_y(i), to_come(campaign, rows[i]));
+    svg.end_part();
   }
   svg.line({plot.x, plot.y}, {plot.x, plot.bottom()}, {palette::ink, 0.6, {}});
   svg.line({plot.x, plot.bottom()}, {plot.right(), plot.bottom()}, {palette::ink, 0.6, {}});

@@ -10,6 +10,7 @@
 #include "drawing/palette.hpp"
 #include "reports/figures.hpp"
 #include "reports/labels.hpp"
+#include "reports/notes.hpp"
 
 namespace cpt::reports {
 namespace {
@@ -30,6 +31,7 @@ struct TornadoBar {
   Rich label;
   std::string lower_text, upper_text;
   std::string missing;  // what to say instead of the bound that has no result
+  bool waits;           // and only because its runs are still to come
 };
 
 std::string absent(const Snapshot& campaign, const SensitivityRow& row, std::string_view side, double q,
@@ -49,7 +51,7 @@ std::vector<TornadoBar> tornado_bars(const Snapshot& campaign, const std::string
     const std::string low = absent(campaign, row, "lower", row.q_lower_kPa, p.lower_text);
     const std::string high = absent(campaign, row, "upper", row.q_upper_kPa, p.upper_text);
     bars.push_back({row, symbol_of(campaign, p) + unit_of(p), p.lower_text, p.upper_text,
-                    low.empty() || high.empty() ? low + high : low + ", " + high});
+                    low.empty() || high.empty() ? low + high : low + ", " + high, to_come(campaign, row)});
   }
   const auto swing = [](const TornadoBar& bar) {
     const double q = std::abs(bar.row.q_upper_kPa - bar.row.q_lower_kPa);
@@ -116,12 +118,12 @@ void draw_swing(Svg& svg, const Axis& axis, const TornadoBar& bar, double y, dou
   put(has_lower, bar.lower_text, rising);
   put(has_upper, bar.upper_text, !rising);
   if (bar.missing.empty()) return;
-  const Rich note = plain("× " + bar.missing);
+  const Rich note = plain(bar.waits ? bar.missing : "× " + bar.missing);
   const bool fits = clear_right + width(note, bar_rows::value_size) < axis.to;
   svg.text({fits ? clear_right : clear_left, base}, note,
            {.size = bar_rows::value_size,
             .anchor = fits ? Anchor::start : Anchor::end,
-            .color = palette::vermillion,
+            .color = bar.waits ? palette::muted : palette::warn,
             .halo = true});
 }
 
@@ -139,8 +141,8 @@ FlowLegend tornado_legend(bool noise) {
 }  // namespace
 
 std::optional<std::string> tornado_figure(const Snapshot& campaign, const results::WindowRow& window,
-                                          Column column) {
-  const double figure_width = width_of(column);
+                                          Place place) {
+  const double figure_width = width_of(place.column);
   const std::vector<TornadoBar> bars = tornado_bars(campaign, window.name);
   const results::RealizationRow* baseline = baseline_run(campaign);
   const auto base =
@@ -154,13 +156,13 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
   double label_width = 0.0;
   for (const TornadoBar& bar : bars)
     label_width = std::max(label_width, width(bar.label, bar_rows::label_size));
-  const double lines = all_completed(campaign) ? 1.0 : 2.0;
-  const double height = 23.0 + 12.5 * lines + 8.0 + bar_rows::pitch * static_cast<double>(bars.size()) +
-                        50.0 + legend.height(figure_width - 28.0);
-  Svg svg(figure_width, height, "tornado");
+  const double height = heading_height(campaign, 1, place.ground) + 8.0 +
+                        bar_rows::pitch * static_cast<double>(bars.size()) + 50.0 +
+                        legend.height(figure_width - 28.0);
+  Svg svg(figure_width, height, "tornado", place.ground);
   Rich what =
       plain(": ") + symbolic("average q_c ") + plain("over " + depth_range(window.from_m, window.to_m));
-  if (column != Column::single)
+  if (place.column != Column::single)
     what = what + plain(fmt::format("; baseline {} kPa", number(base->q_c_mean_kPa, 4)));
   const double top =
       draw_heading(svg, campaign, campaign.campaign.title, {window_line(window, what, figure_width)});
@@ -170,20 +172,20 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
   const Axis axis = tornado_axis(bars, base->q_c_mean_kPa, area.x, area.right());
 
   draw_horizontal(svg, area, axis, Edge::bottom, symbolic("average q_c (kPa)"),
-                  column == Column::single ? 4 : 6);
+                  place.column == Column::single ? 4 : 6);
   if (noise) {
-    svg.begin_clip(area);
-    svg.rectangle(
-        {axis(base->q_c_min_kPa), area.y, axis(base->q_c_max_kPa) - axis(base->q_c_min_kPa), area.height},
-        palette::band, 0.8);
-    svg.end_clip();
+    const double from = std::max(area.x, axis(base->q_c_min_kPa));
+    const double to = std::min(area.right(), axis(base->q_c_max_kPa));
+    svg.rectangle({from, area.y, to - from, area.height}, palette::band, 0.8);
   }
   const double x0 = axis(base->q_c_mean_kPa);
   svg.line({x0, area.y}, {x0, area.bottom()}, {palette::ink, 1.0, {}});
   double y = area.y + 2.0 + 0.5 * bar_rows::pitch;
   for (const TornadoBar& bar : bars) {
+    svg.begin_part(bar_rows::row(svg, y), input_words(campaign, bar.row));
     bar_rows::draw_label(svg, area, y, bar.label);
     draw_swing(svg, axis, bar, y, base->q_c_mean_kPa);
+    svg.end_part();
     y += bar_rows::pitch;
   }
   svg.line({area.x, area.bottom()}, {area.right(), area.bottom()}, {palette::ink, 0.6, {}});

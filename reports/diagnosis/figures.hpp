@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "diagnosis/answer_store.hpp"
 #include "reports/diagnosis/input.hpp"
 
 namespace cpt::reports::diagnosed {
@@ -17,6 +18,8 @@ namespace cpt::reports::diagnosed {
 
 /// Probability of every hypothesis as a bar, its prior as a tick.
 [[nodiscard]] std::string probability_figure(const DiagnosisInput& input);
+/// The same of an answer that was stored, for the campaign's page.
+[[nodiscard]] std::optional<std::string> probability_figure(const diagnosis::StoredAnswer& answer);
 
 /// D_ij as a table of coloured cells; those below the threshold are framed.
 [[nodiscard]] std::optional<std::string> isolability_figure(const DiagnosisInput& input);

@@ -12,7 +12,6 @@ const waiting = (run) => ["pending", "running", "interrupted"].includes(run.stat
 const failed = (run) => !waiting(run) && run.status !== "completed";
 const mean_of = new Map(data.window_means.map((m) => [`${m.realization} ${m.window}`, m]));
 const mean = (run, window) => mean_of.get(`${run.id} ${window.name}`);
-const label_of = (p) => [...p.label, [p.unit && p.unit !== "-" ? ` (${p.unit})` : "", false]];
 const bound_run = (parameter, side) => runs.find((run) => run.parameter === parameter && run.side === side);
 const indices_in = (window) => data.sensitivity.filter((row) => row.window === window.name);
 const repeats_in = (window) => data.repeat_noise.find((row) => row.window === window.name);
@@ -33,13 +32,3 @@ const has_both = (row) => known(row.q_upper_kPa) && known(row.q_lower_kPa);
 /// Whether an input has no index only because its runs, or the baseline, are still to come.
 const to_come = (row) => [baseline, bound_run(row.parameter, "lower"), bound_run(row.parameter, "upper")]
   .some((run) => run && waiting(run));
-const without_index = (row) => (to_come(row) ? "not run yet" : "× undefined");
-const its_colour = (row) => (to_come(row) ? "var(--muted)" : "var(--warn)");
-
-/// A bound without result: why; nothing where the bound has one or is the baseline.
-function missing(row, side) {
-  if (known(row[`q_${side}_kPa`])) return "";
-  const run = bound_run(row.parameter, side);
-  if (!run) return "";
-  return `${run.value}: ${run.status === "running" ? "running" : waiting(run) ? "not run yet" : run.status === "completed" ? "no value" : run.status}`;
-}

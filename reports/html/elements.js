@@ -41,7 +41,6 @@ const rich = (label) => {
   return fragment;
 };
 const q_c = [["q", false], ["c", true]];
-const with_q_c = (before, after) => [[before, false], ...q_c, [after, false]];
 
 /// Replaces the text of SVG labels by labels with subscripts, in their order.
 function set_labels(svg, group, labels) {

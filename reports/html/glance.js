@@ -50,11 +50,18 @@ function of_noise(window) {
         `, the spread inside the window, ${rows.filter((row) => row.above_si_noise === 1).length} would. `] : [])];
 }
 
+/// Of a kind of design: the quantity that its figure has as bars, and what the largest one means.
+const largest_of = {
+  pairs: { quantity: "interaction", words: "act together most: their interaction is" },
+  morris: { quantity: "mu_star", words: "has the largest elementary effects: their mean size μ* is" },
+};
+const largest_share = { quantity: "total_order", words: "holds the largest share of its variance, interactions included:" };
+
 /// What the design adds: its largest bar, as drawn further down.
 function of_design(window) {
   if (!has_design) return [];
-  const drawn = drawn_of[data.design] || shares_drawn;
-  const rows = effects_in(window, drawn.bar);
+  const { quantity, words } = largest_of[data.design] || largest_share;
+  const rows = effects_in(window, quantity);
   const first = d3.greatest(rows.filter((row) => known(row.value)), (row) => Math.abs(row.value));
   const name = data.design.replaceAll("_", " ");
   if (!first) {
@@ -66,9 +73,7 @@ function of_design(window) {
   if (first.value === 0) return [`Changed together (${name}), no input changes it.`];
   const fit = data.effects.find((row) => row.window === window.name && row.quantity === "Q2");
   const doubt = fit && fit.note.includes("not to be believed") ? " The polynomial behind it is not to be believed." : "";
-  const what = { pairs: "act together most: their interaction is", morris: "has the largest elementary effects: their mean size μ* is" }[data.design]
-    || "holds the largest share of its variance, interactions included:";
-  return [`Changed together (${name}), `, label, ` ${what} ${number(first.value, 3)}${first.unit === "-" ? "" : ` ${first.unit}`}${interval}` +
+  return [`Changed together (${name}), `, label, ` ${words} ${number(first.value, 3)}${first.unit === "-" ? "" : ` ${first.unit}`}${interval}` +
     `${first.dropped ? `; ${first.dropped} runs are missing` : ""}.${doubt}`];
 }
 

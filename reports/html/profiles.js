@@ -1,6 +1,19 @@
 // The channels over depth of all realizations: hover, highlighting, depth zoom, keyboard.
 "use strict";
 
+const figure_style = { background: "transparent", color: "var(--ink)", fontSize: "13px" };
+
+/// Calls `draw` with the width of an element, now and whenever it changes.
+function on_width(element, draw) {
+  let width = 0;
+  new ResizeObserver(() => requestAnimationFrame(() => {
+    const now = Math.floor(element.clientWidth);
+    if (now === 0 || now === width) return;
+    width = now;
+    draw(width);
+  })).observe(element);
+}
+
 const values_of = (curve) => curve[`${shown.channel}_kPa`] || [];
 const curves = data.curves.filter((curve) => (curve.q_c_kPa || []).some(known))
   .sort((a, b) => (a.realization === baseline?.id) - (b.realization === baseline?.id) || a.realization - b.realization);

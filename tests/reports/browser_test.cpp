@@ -36,7 +36,8 @@ TEST_F(Page, ShowsWhatTheDesignSays) {
     show(campaign, context);
     EXPECT_FALSE(value("document.getElementById('effects').hidden").get<bool>());
     EXPECT_EQ(count("#effects table tbody tr"), static_cast<int>(effects.rows.size()));
-    EXPECT_EQ(count("#effects .effect rect"), 4) << design;
+    EXPECT_EQ(count("#effects figure svg g > title"), 4) << design;
+    EXPECT_NE(text("#effects figure svg g > title").find("95 %: "), std::string::npos) << design;
     if (const char* keep = std::getenv("CPT_SCREENSHOTS"))
       browser->screenshot(fs::path(keep) / (effects.design + ".png"));
     fs::remove(folder / "study.sqlite");
@@ -53,8 +54,9 @@ TEST_F(Page, ShowsTheWholeCampaign) {
     EXPECT_EQ(count(std::string("#") + section + ":not([hidden]) h2"), 1) << section;
   EXPECT_EQ(count("#failures:not([hidden]), #diagnosis:not([hidden])"), 0);
   EXPECT_EQ(count("#sensitivity figure svg"), 4) << "tornado and indices of two windows";
-  EXPECT_EQ(count("#sensitivity .lower rect"), 2 * 16);
-  EXPECT_EQ(count("#sensitivity .upper rect"), 2 * 16);
+  EXPECT_EQ(count("#sensitivity svg[role='img'][aria-label^='Tornado: '] g > title"), 2 * 16);
+  EXPECT_EQ(count("#sensitivity svg[role='img'][aria-label^='Sensitivity index: '] g > title"), 2 * 16);
+  EXPECT_EQ(count("#figures figure"), 0) << "each is in its section";
   EXPECT_EQ(count("path.curve"), 28);
   EXPECT_EQ(rows().size(), 28U);
   EXPECT_EQ(count("a[href='report.json']"), 1);
@@ -105,8 +107,9 @@ TEST_F(Page, SaysWhatIsNoiseAndWhatIsOutOfLine) {
       << words;
   EXPECT_NE(words.find(fmt::format("the spread inside the window, {} would.", paper)), std::string::npos)
       << words;
-  EXPECT_EQ(count("#sensitivity .loud rect"), loud);
-  EXPECT_EQ(count("#sensitivity .quiet rect"), static_cast<int>(campaign.sensitivity.size()) - loud);
+  EXPECT_EQ(count("#sensitivity_0 rect[fill-opacity='0.4']"),
+            static_cast<int>(campaign.sensitivity.size()) - loud + 2)
+      << "two in the legend";
   EXPECT_EQ(count("#table tr.doubtful"), 1);
   EXPECT_NE(text("#table tr.doubtful").find("energy error -18 %"), std::string::npos);
 }
@@ -247,6 +250,7 @@ TEST_F(Page, FailuresHaveTheirReasonsAndDiagnosesTheirAnswers) {
   diagnosis::StoredAnswer answer{};
   answer.title = "First push";
   answer.headline = "A wall that gives way explains it.";
+  answer.answer = "compliant_wall";
   answer.file = "first.sqlite";
   answer.held_out_gain = std::nan("");
   answer.hypotheses = {{"compliant_wall", 0.05, -3.0, 0.93, true},
@@ -259,17 +263,22 @@ TEST_F(Page, FailuresHaveTheirReasonsAndDiagnosesTheirAnswers) {
   EXPECT_NE(text("#failures tbody tr").find("energy error 0.31 at 0.212 m exceeds 0.1"), std::string::npos);
   EXPECT_NE(text("#sensitivity").find("crashed"), std::string::npos);
   EXPECT_NE(text("#diagnosis").find("A wall that gives way explains it."), std::string::npos);
-  EXPECT_NE(text("#diagnosis").find("0.930"), std::string::npos);
+  EXPECT_NE(text("#diagnosis figure svg").find("0.93"), std::string::npos);
+  EXPECT_EQ(text("#diagnosis figure svg g > title").find("a chamber wall that gives way\nprobability 0.93"),
+            0U);
   EXPECT_NE(text("#diagnosis").find("−12.0 %"), std::string::npos);
   EXPECT_NE(text("#diagnosis").find("0.02 to 0.06"), std::string::npos);
   const char* opacity =
-      "Number(document.querySelector('#diagnosis .chance rect').getAttribute('fill-opacity') ?? 1)";
+      "Number(document.querySelector('#diagnosis g > [pointer-events] ~ rect').getAttribute('fill-opacity') "
+      "?? 1)";
   EXPECT_EQ(value(opacity), 1.0) << "one explanation without reservations: a full bar";
   answer.reservations = {"Not ruled out: a looser lens (0.07)."};
   answer.mismatches[0].percent = std::nan("");
   show(campaign, {{answer}, {}, 0});
   EXPECT_NE(text("#diagnosis").find("Not ruled out: a looser lens (0.07)."), std::string::npos);
   EXPECT_LT(value(opacity).get<double>(), 0.5) << "with reservations an outline";
+  if (const char* keep = std::getenv("CPT_SCREENSHOTS"))
+    browser->screenshot(fs::path(keep) / "diagnosis.png");
 }
 
 TEST_F(Page, HostileNamesStayText) {
@@ -304,6 +313,7 @@ TEST_F(Page, OpenPageFollowsARunningCampaign) {
   fs::create_directory(folder / "finished");
   const auto study = sand_study(folder), finished = sand_study(folder / "finished");
   show(run_made_up(study, {{20, "pending"}, {21, "pending"}}), {{}, {}, 10});
+  EXPECT_NE(text("#tornado_0 svg").find("not run yet"), std::string::npos);
   EXPECT_TRUE(
       eventually("document.getElementById('state').textContent.startsWith('19 of 21') && "
                  "!document.getElementById('live').hidden"));
@@ -311,6 +321,7 @@ TEST_F(Page, OpenPageFollowsARunningCampaign) {
   EXPECT_TRUE(
       eventually("document.getElementById('state').textContent.startsWith('21 of 21') && "
                  "document.getElementById('live').hidden"));
+  EXPECT_EQ(text("#tornado_0 svg").find("not run yet"), std::string::npos) << "the figures follow, too";
 }
 
 // Contrast of text after WCAG 2.2, success criterion 1.4.3: at least 4.5.
@@ -336,6 +347,9 @@ TEST_F(Page, IsLegibleInLightAndDarkOnAPhoneAndOnPaper) {
           << scheme << " " << selector;
   }
   EXPECT_EQ(grounds.size(), 2U);
+  EXPECT_EQ(value("getComputedStyle(document.querySelector('.drawn svg text')).fill"),
+            value("getComputedStyle(document.body).color"))
+      << "figures have the colours of the page";
   browser->click(browser->centre("#theme"));
   EXPECT_EQ(text("#theme"), "Colours: light");
   EXPECT_EQ(value("getComputedStyle(document.body).backgroundColor"), "rgb(255, 255, 255)");

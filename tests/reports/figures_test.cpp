@@ -57,7 +57,7 @@ TEST_F(Figures, FailuresAndWaitingRunsAreShown) {
   const std::string tornado = tornado_figure(campaign, campaign.windows[0]).value();
   EXPECT_TRUE(has(tornado, "19 of 21 realizations completed, 1 failed, 1 still to run"));
   EXPECT_TRUE(has(tornado, "× 26: did_not_converge"));
-  EXPECT_TRUE(has(tornado, "× 75: not run yet"));
+  EXPECT_TRUE(has(tornado, ">75: not run yet<"));
   const std::string indices = sensitivity_figure(campaign, campaign.windows[0]).value();
   EXPECT_TRUE(has(indices, "× undefined: lower run failed (did_not_converge)"));
   const std::string profiles = profiles_figure(campaign).value();
@@ -101,6 +101,33 @@ TEST_F(Figures, BaselineEnlargesEveryWindow) {
   EXPECT_EQ(count(svg, "<path "), 3u);
   EXPECT_EQ(count(svg, "average q"), 2u);
   EXPECT_TRUE(has(svg, "embedded clay"));
+}
+
+TEST_F(Figures, EveryBarTellsItsNumbers) {
+  const auto campaign = run_made_up(sand_study(folder));
+  for (const auto& figure :
+       {tornado_figure(campaign, campaign.windows[0]), sensitivity_figure(campaign, campaign.windows[0])}) {
+    EXPECT_EQ(count(figure.value(), "<title>"), 1 + campaign.sensitivity.size());
+    for (const auto& row : campaign.sensitivity)
+      EXPECT_TRUE(has(figure.value(), "<title>" + escape(input_words(campaign, row)) + "</title>"));
+  }
+  const auto& row = campaign.sensitivity.front();
+  EXPECT_TRUE(has(input_words(campaign, row), drawing::number(row.q_lower_kPa, 4) + " kPa\nupper "));
+  EXPECT_TRUE(has(input_words(campaign, row), "\nSI " + drawing::decimals(row.si, 4)));
+}
+
+// The style sheet colours what stands in the page, and the page says whose it is.
+TEST_F(Figures, InThePageHaveNeitherColoursNorHeadingOfTheirOwn) {
+  const auto campaign = run_made_up(sand_study(folder), {{13, "pending"}, {14, "did_not_converge"}});
+  const Place page{Column::single, drawing::Ground::page};
+  for (const auto& figure : {tornado_figure(campaign, campaign.windows[0], page),
+                             sensitivity_figure(campaign, campaign.windows[0], page)}) {
+    const std::string& svg = figure.value();
+    EXPECT_FALSE(has(svg, "\"#")) << svg;
+    EXPECT_TRUE(has(svg, "var(--blue)") && has(svg, "var(--warn)") && has(svg, "var(--muted)"));
+    EXPECT_EQ(count(svg, escape(campaign.campaign.title)), 1U) << "in its name alone";
+    EXPECT_FALSE(has(svg, " id=\""));
+  }
 }
 
 TEST_F(Figures, NothingToDrawIsNoFigure) {

@@ -104,7 +104,7 @@ TEST_F(Glance, SaysThatNothingChangesWhereNothingDoes) {
   const std::string text = said(campaign);
   expect(text, "No input alone changes it: it is the same at all bounds.");
   EXPECT_EQ(text.find("from 1000 kPa"), std::string::npos) << text;
-  EXPECT_LT(value("d3.max(document.querySelectorAll('#sensitivity .upper rect, #sensitivity .lower rect'), "
+  EXPECT_LT(value("d3.max(document.querySelectorAll('#tornado_0 g > [pointer-events] ~ rect'), "
                   "(r) => r.getBoundingClientRect().width)")
                 .get<double>(),
             1.0)
