@@ -21,7 +21,7 @@ function diagnoses() {
         [{ name: "sounding", numeric: true }, { name: "from (m)", numeric: true }, { name: "to (m)", numeric: true },
          { name: "recorded over refitted q_c", numeric: true }, { name: "p (-)", numeric: true }],
         d.mismatches.map((m) => ({ cells: [m.sounding < 0 ? "all" : String(m.sounding + 1), decimals(m.from_m, 3), decimals(m.to_m, 3),
-          percent(m.percent / 100), number(m.p, 2)] })), `Where the recording differs, ${d.title}`) : null,
+          percent(known(m.percent) ? m.percent / 100 : NaN), number(m.p, 2)] })), `Where the recording differs, ${d.title}`) : null,
       fitted.length ? table(
         [{ name: "mechanism" }, { name: "quantity" }, { name: "value", numeric: true },
          { name: "90 % interval", numeric: true }, { name: "unit" }],

@@ -277,6 +277,7 @@ TEST_F(Page, FailuresHaveTheirReasonsAndDiagnosesTheirAnswers) {
   show(campaign, {{answer}, {}, 0});
   EXPECT_NE(text("#diagnosis").find("Not ruled out: a looser lens (0.07)."), std::string::npos);
   EXPECT_LT(value(opacity).get<double>(), 0.5) << "with reservations an outline";
+  EXPECT_EQ(text("#diagnosis").find("0.0 %"), std::string::npos) << "what is not known is no zero";
   if (const char* keep = std::getenv("CPT_SCREENSHOTS"))
     browser->screenshot(fs::path(keep) / "diagnosis.png");
 }
