@@ -90,6 +90,7 @@ std::string Auditor::check(const Model& model, double travel, Status& status) {
 Audit Auditor::summary(const Model& model) const {
   Audit audit = audit_;
   const Totals t = totals(model);
+  audit.limited_share = model.limited_share();
   audit.mass_error = std::abs(t.mass - initial_mass_) / initial_mass_;
   if (penetrometer_impulse_ > 0.0)
     audit.momentum_error = std::abs(t.momentum - initial_momentum_ - impulse_) / penetrometer_impulse_;

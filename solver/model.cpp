@@ -18,6 +18,12 @@ void for_each_index(std::int32_t count, int threads, const Function& function) {
   for (std::int32_t i = 0; i < count; ++i) function(i);
 }
 
+// A soil that shares a cell has a jump, and averages of its own: those across soils would mix their stresses.
+struct Quadrants {
+  double value[4];
+  explicit Quadrants(double all) : value{all, all, all, all} {}
+};
+
 }  // namespace
 
 Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std::int32_t>& material_of,
@@ -42,6 +48,10 @@ Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std:
   forces_.resize(cells);
   shapes_.resize(cells);
   modulus_.assign(cells, 0.0);
+  bucket_modulus_.assign(cells * static_cast<std::size_t>(settings_.materials), 0.0);
+  normals_.resize(cells);
+  mixed_steps_.assign(cells, 0.0);
+  limited_steps_.assign(cells, 0.0);
   work_.assign(cells, 0.0);
   divergence_.assign(cells, 0.0);
   filled_at_start_.assign(cells, 0);
@@ -98,7 +108,9 @@ void Model::sum_all_points() {
       const PointFields p = points_.fields(bucket);
       const Batch batch{bucket.padded(), p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz,      p.e,
                         p.h_0,           strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz, p.h_1};
-      modulus_[c] = std::max(modulus_[c], soils_[static_cast<std::size_t>(m)]->update(batch));
+      double& modulus = bucket_modulus_[static_cast<std::size_t>(cell * settings_.materials + m)];
+      modulus = soils_[static_cast<std::size_t>(m)]->update(batch);
+      modulus_[c] = std::max(modulus_[c], modulus);
       for (std::int32_t k = 0; k < bucket.count; ++k) {
         const Location at = mesh_.locate(p.r[k], p.z[k]);
         p.xi[k] = at.xi;
@@ -219,8 +231,86 @@ void Model::set_velocity(std::int32_t node, double v_r, double v_z) {
   nodes_.v_z[node] = v_z;
 }
 
+// From the gradient of the soils' shares of mass at the cell's nodes; of the soil where it is largest.
+InterfaceNormal Model::interface_normal(std::int32_t c) const {
+  const Cell& cell = mesh_.cells()[c];
+  double at_node[4][most_materials] = {}, mass[4] = {};
+  for (int k = 0; k < 4; ++k) {
+    const NodeCells& around = mesh_.node_cells()[cell.node[k]];
+    for (int i = 0; i < 4 && around.cell[i] >= 0; ++i)
+      for (std::int32_t m = 0; m < settings_.materials; ++m) {
+        at_node[k][m] += sums_[around.cell[i]].material_mass[m];
+        mass[k] += sums_[around.cell[i]].material_mass[m];
+      }
+  }
+  const CellShape& shape = shapes_[c];
+  const double z_eta = 0.5 * (shape.zt0 - shape.zb0), z_xi = 0.5 * (shape.zb1 + shape.zt1);
+  InterfaceNormal normal;
+  double largest = 0.0;
+  for (std::int32_t m = 0; m < settings_.materials; ++m) {
+    double f[4];
+    for (int k = 0; k < 4; ++k) f[k] = at_node[k][m] / mass[k];
+    const Bilinear share = bilinear(f[0], f[1], f[2], f[3]);
+    const double d_z = share.c[2] / z_eta, d_r = (share.c[1] - d_z * z_xi) / shape.a,
+                 size = std::hypot(d_r, d_z);
+    if (!(size > largest)) continue;
+    largest = size;
+    normal = {d_r / size, d_z / size};
+  }
+  return normal;
+}
+
+void Model::share_cell_motion(std::int32_t c, const CellMotion& motion, SoilInCell (&soils)[most_materials]) {
+  std::size_t count = 0;
+  double all = 0.0;
+  for (std::int32_t m = 0; m < settings_.materials; ++m) {
+    const std::int32_t b = c * settings_.materials + m;
+    const Bucket& bucket = points_.bucket(b);
+    if (bucket.count == 0) continue;
+    const PointFields p = points_.fields(bucket);
+    SoilInCell& soil = soils[count++];
+    for (std::int32_t k = 0; k < bucket.count; ++k) {
+      soil.share += p.volume[k];
+      soil.s_rr += p.volume[k] * p.s_rr[k];
+      soil.s_zz += p.volume[k] * p.s_zz[k];
+      soil.s_tt += p.volume[k] * p.s_tt[k];
+      soil.s_rz += p.volume[k] * p.s_rz[k];
+    }
+    soil.s_rr /= soil.share;
+    soil.s_zz /= soil.share;
+    soil.s_tt /= soil.share;
+    soil.s_rz /= soil.share;
+    all += soil.share;
+    const double nu = soils_[static_cast<std::size_t>(m)]->poissons_ratio();
+    soil.modulus = bucket_modulus_[static_cast<std::size_t>(b)];
+    soil.shear_modulus = soil.modulus * (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu));
+  }
+  for (std::size_t i = 0; i < count; ++i) soils[i].share /= all;
+
+  // At the cell's centre, the volume's part as everywhere in the cell.
+  const double inverse_height = 2.0 / (motion.shape.zt0 - motion.shape.zb0);
+  const double z_xi = 0.5 * (motion.shape.zb1 + motion.shape.zt1);
+  CellStrainRate rate;
+  rate.plane.rz = motion.v_r.c[2] * inverse_height;
+  rate.plane.zz = motion.v_z.c[2] * inverse_height;
+  rate.plane.rr = (motion.v_r.c[1] - rate.plane.rz * z_xi) / motion.shape.a;
+  rate.plane.zr = (motion.v_z.c[1] - rate.plane.zz * z_xi) / motion.shape.a;
+  rate.hoop = motion.v_r.c[0] / motion.shape.r_c;
+  const double correction = (motion.divergence - (rate.plane.rr + rate.plane.zz + rate.hoop)) / 3.0;
+  rate.plane.rr += correction;
+  rate.plane.zz += correction;
+  rate.hoop += correction;
+
+  mixed_steps_[c] += 1.0;
+  if (share_motion({soils, count}, normals_[c], rate, motion.dt)) limited_steps_[c] += 1.0;
+}
+
 void Model::move_points(double dt) {
   interpolate_hanging_nodes();
+  for_each_index(static_cast<std::int32_t>(sums_.size()), settings_.threads, [this](std::int32_t c) {
+    if (std::ranges::count_if(sums_[c].material_mass, [](double m) { return m > 0.0; }) > 1)
+      normals_[c] = interface_normal(c);
+  });
 #pragma omp parallel for schedule(static, 1) num_threads(settings_.threads) if (settings_.threads > 1)
   for (int t = 0; t < settings_.threads; ++t) {
     leavers_[t].clear();
@@ -268,6 +358,11 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
   motion.mean_stress[2] = forces.s_tt;
   motion.mean_stress[3] = forces.s_rz;
 
+  motion.mixed = materials > 1;
+  SoilInCell soils[most_materials];
+  const SoilInCell* soil = soils;
+  if (motion.mixed) share_cell_motion(c, motion, soils);
+
   const StrainScratch strain = scratch(thread);
   for (std::int32_t m = 0; m < settings_.materials; ++m) {
     const std::int32_t b = c * settings_.materials + m;
@@ -275,15 +370,21 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
     if (bucket.count == 0) continue;
     const PointFields p = points_.fields(bucket);
     const std::size_t padded = bucket.padded();
-    // Across materials the averages would mix their stresses, which is unstable.
-    motion.smoothing = materials == 1 ? settings_.stress_smoothing[m] : 0.0;
+    motion.smoothing = settings_.stress_smoothing[m];
+    const Quadrants own[4] = {Quadrants(soil->s_rr), Quadrants(soil->s_zz), Quadrants(soil->s_tt),
+                              Quadrants(soil->s_rz)};
+    if (motion.mixed) {
+      for (int i = 0; i < 4; ++i) motion.mean_stress[i] = own[i].value;
+      motion.jump = (soil++)->jump;
+    }
     double work = kernels_.move_points(bucket.count, padded, p, motion, strain);
     // The next cell's points arrive while the law computes.
     const std::int32_t next = b + settings_.materials;
     if (next < points_.bucket_count()) points_.prefetch(points_.bucket(next));
     const Batch batch{padded,      p.s_rr,      p.s_zz,      p.s_tt,      p.s_rz, p.e, p.h_0,
                       strain.d_rr, strain.d_zz, strain.d_tt, strain.d_rz, p.h_1,  dt};
-    modulus_[c] = std::max(modulus_[c], soils_[static_cast<std::size_t>(m)]->update(batch));
+    bucket_modulus_[static_cast<std::size_t>(b)] = soils_[static_cast<std::size_t>(m)]->update(batch);
+    modulus_[c] = std::max(modulus_[c], bucket_modulus_[static_cast<std::size_t>(b)]);
     bool some_left = false;
     work += kernels_.sum_points(bucket.count, padded, p, new_shape, cell, strain, m, sums, some_left);
     work_[c] += work;
@@ -309,6 +410,9 @@ void Model::rehome_leavers() {
       if (to != leaver.bucket) {
         points_.move(leaver.bucket, leaver.slot, to);
         k = points_.bucket(to).count - 1;
+        double& there = bucket_modulus_[static_cast<std::size_t>(to)];
+        const double here = bucket_modulus_[static_cast<std::size_t>(leaver.bucket)];
+        there = k == 0 ? here : std::max(there, here);
       }
       add_to_sums(sums_[at.cell], points_.fields(points_.bucket(to)), static_cast<std::size_t>(k), material);
       modulus_[at.cell] = std::max(modulus_[at.cell], modulus);
@@ -323,6 +427,13 @@ int Model::empty_cells() const {
     if (filled_at_start_[c] && s.volume[0] + s.volume[1] + s.volume[2] + s.volume[3] <= 0.0) ++count;
   }
   return count;
+}
+
+double Model::limited_share() const {
+  double mixed = 0.0, limited = 0.0;
+  for (const double steps : mixed_steps_) mixed += steps;
+  for (const double steps : limited_steps_) limited += steps;
+  return mixed > 0.0 ? limited / mixed : 0.0;
 }
 
 double Model::internal_work() const {

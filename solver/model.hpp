@@ -85,6 +85,9 @@ class Model {
     archive("cells.modulus", modulus_);
     archive("cells.work", work_);
     archive("cells.divergence", divergence_);
+    archive("buckets.modulus", bucket_modulus_);
+    archive("cells.mixed_steps", mixed_steps_);
+    archive("cells.limited_steps", limited_steps_);
     if constexpr (Archive::reading) make_scratch();
   }
 
@@ -92,6 +95,8 @@ class Model {
   [[nodiscard]] int empty_cells() const;
   /// Work done by the stresses on the points so far [J/rad].
   [[nodiscard]] double internal_work() const;
+  /// Cells of several soils whose jump was limited, over all such cells, summed over the steps [-].
+  [[nodiscard]] double limited_share() const;
 
  private:
   struct Leaver {
@@ -102,6 +107,8 @@ class Model {
   void assemble_node(std::int32_t n);
   void condense_hanging_nodes();
   void interpolate_hanging_nodes();
+  [[nodiscard]] InterfaceNormal interface_normal(std::int32_t c) const;
+  void share_cell_motion(std::int32_t c, const CellMotion& motion, SoilInCell (&soils)[most_materials]);
   void move_cell(std::int32_t c, double dt, int thread, const Cell& cell, const CellShape& new_shape);
   void sum_all_points();
   void rehome_leavers();
@@ -119,9 +126,12 @@ class Model {
   std::vector<CellSums> sums_;
   std::vector<CellForces> forces_;
   std::vector<CellShape> shapes_;
-  std::vector<double> modulus_;     // [Pa] largest P-wave modulus in a cell
-  std::vector<double> work_;        // [J/rad] by cell
-  std::vector<double> divergence_;  // [1/s] mean of a cell in the last step
+  std::vector<double> modulus_;         // [Pa] largest P-wave modulus in a cell
+  std::vector<double> bucket_modulus_;  // [Pa] of each soil in each cell
+  std::vector<InterfaceNormal> normals_;
+  std::vector<double> mixed_steps_, limited_steps_;  // [-] of a cell, whole numbers
+  std::vector<double> work_;                         // [J/rad] by cell
+  std::vector<double> divergence_;                   // [1/s] mean of a cell in the last step
   std::vector<char> filled_at_start_;
   Nodes nodes_;
   std::vector<double> p_r_, p_z_;  // [kg m/s/rad] nodal momentum of the points

@@ -34,6 +34,7 @@ struct Audit {
   double energy_error = 0.0;      // [-] energy balance, relative to the penetrometer's work
   double kinetic_fraction = 0.0;  // [-] largest kinetic energy over the penetrometer's work, after the start
   int max_empty_cells = 0;        // [-]
+  double limited_share = 0.0;     // [-] cells of several soils that could not share their motion in one step
   double min_time_step = 0.0;     // [s]
   double max_time_step = 0.0;     // [s]
 };

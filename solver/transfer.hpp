@@ -9,6 +9,7 @@
 
 #include "solver/material_points.hpp"
 #include "solver/mesh.hpp"
+#include "solver/mixed_cells.hpp"
 
 namespace cpt::solver {
 
@@ -41,6 +42,8 @@ struct CellMotion {
   double dt;                     // [s]
   double pic_fraction;           // [-]
   double smoothing;              // [-] share of the quadrant's mean stress given back to the points
+  bool mixed = false;            // the soil has a jump of its own; then there is no smoothing
+  PlaneGradient jump;            // [1/s] of the velocity gradient
   const double* mean_stress[4];  // [Pa] of rr, zz, tt, rz: the mean of each quadrant
 };
 

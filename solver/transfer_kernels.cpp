@@ -36,12 +36,14 @@ CPT_INLINE Pack smoothed(Pack stress, const QuadrantMeans& m, double beta, Pack 
   return stress + beta * (m.c0 + m.c1 * right + m.c2 * upper + m.c3 * both - stress);
 }
 
-template <bool smooth>
+template <bool smooth, bool mixed>
 CPT_INLINE double move(std::int32_t count, std::size_t padded, const PointFields& points,
                        const CellMotion& motion, const StrainScratch& strain) {
   const CellShape& shape = motion.shape;
   const double inverse_a = 1.0 / shape.a;
   const double dt = motion.dt, pic = motion.pic_fraction, divergence = motion.divergence;
+  const PlaneGradient& jump = motion.jump;
+  const double dilation = mixed ? divergence + jump.rr + jump.zz : divergence;
   const double *R = motion.v_r.c, *Z = motion.v_z.c, *dR = motion.dv_r.c, *dZ = motion.dv_z.c;
   const double r_first = shape.r_c - shape.a, r_last = shape.r_c + shape.a;
   const double beta = motion.smoothing;
@@ -82,10 +84,10 @@ CPT_INLINE double move(std::int32_t count, std::size_t padded, const PointFields
     const Pack z_eta = 0.5 * ((shape.zt0 - shape.zb0) + (shape.zt1 - shape.zb1) * x);
     const Pack z_xi = 0.5 * ((shape.zb1 + shape.zt1) + (shape.zt1 - shape.zb1) * y);
     const Pack inverse_height = 1.0 / z_eta;
-    const Pack vr_z = (R[2] + R[3] * x) * inverse_height;
-    const Pack vz_z = (Z[2] + Z[3] * x) * inverse_height;
-    const Pack vr_r = ((R[1] + R[3] * y) - vr_z * z_xi) * inverse_a;
-    const Pack vz_r = ((Z[1] + Z[3] * y) - vz_z * z_xi) * inverse_a;
+    Pack vr_z = (R[2] + R[3] * x) * inverse_height;
+    Pack vz_z = (Z[2] + Z[3] * x) * inverse_height;
+    Pack vr_r = ((R[1] + R[3] * y) - vr_z * z_xi) * inverse_a;
+    Pack vz_r = ((Z[1] + Z[3] * y) - vz_z * z_xi) * inverse_a;
     // Points beyond the wall or inside the shaft are clamped to the cell, their hoop strain too.
     const Pack r = load(points.r + k);
     Pack r_in = select(less(r, splat(r_first)), splat(r_first), r);
@@ -95,6 +97,12 @@ CPT_INLINE double move(std::int32_t count, std::size_t padded, const PointFields
 
     // B-bar (Hughes 2000): the local volumetric rate is replaced by the cell's mean.
     const Pack correction = (divergence - (vr_r + vz_z + hoop)) * (1.0 / 3.0);
+    if constexpr (mixed) {
+      vr_r += jump.rr;
+      vr_z += jump.rz;
+      vz_r += jump.zr;
+      vz_z += jump.zz;
+    }
     const Mask used = used_lanes(k, count);
     const Pack d_rr = select(used, dt * (vr_r + correction), zero);
     const Pack d_zz = select(used, dt * (vz_z + correction), zero);
@@ -118,7 +126,7 @@ CPT_INLINE double move(std::int32_t count, std::size_t padded, const PointFields
     store(points.s_zz + k, s_zz);
     store(points.s_rz + k, s_rz);
 
-    const Pack volume = load(points.volume + k) * (1.0 + dt * divergence);
+    const Pack volume = load(points.volume + k) * (1.0 + dt * dilation);
     store(points.volume + k, volume);
     store(points.r + k, r + dt * vr);
     store(points.z + k, load(points.z + k) + dt * vz);
@@ -129,8 +137,12 @@ CPT_INLINE double move(std::int32_t count, std::size_t padded, const PointFields
 
 double move_points(std::int32_t count, std::size_t padded, const PointFields& points,
                    const CellMotion& motion, const StrainScratch& strain) {
-  return motion.smoothing > 0.0 ? move<true>(count, padded, points, motion, strain)
-                                : move<false>(count, padded, points, motion, strain);
+  const bool smooth = motion.smoothing > 0.0;
+  if (motion.mixed)
+    return smooth ? move<true, true>(count, padded, points, motion, strain)
+                  : move<false, true>(count, padded, points, motion, strain);
+  return smooth ? move<true, false>(count, padded, points, motion, strain)
+                : move<false, false>(count, padded, points, motion, strain);
 }
 
 /// Volume and stress of `quadrants` quadrants from `first` on, in the order of CellSums; points that left do

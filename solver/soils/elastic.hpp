@@ -13,13 +13,15 @@ namespace cpt::solver {
 [[nodiscard]] inline std::unique_ptr<const SoilModel> elastic_soil(double E, double nu) {
   class Elasticity : public SoilModel {
    public:
-    explicit Elasticity(const LinearElastic& law) : law_(law) {}
+    Elasticity(double E, double nu) : law_(E, nu), nu_(nu) {}
     [[nodiscard]] double update(const Batch& batch) const override { return law_.update(batch); }
+    [[nodiscard]] double poissons_ratio() const override { return nu_; }
 
    private:
     LinearElastic law_;
+    double nu_;
   };
-  return std::make_unique<Elasticity>(LinearElastic(E, nu));
+  return std::make_unique<Elasticity>(E, nu);
 }
 
 }  // namespace cpt::solver

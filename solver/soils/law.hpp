@@ -51,6 +51,8 @@ class SoilModel {
   /// Updates stress, void ratio and state of a batch for one step; returns the largest P-wave modulus K + 4/3
   /// G [Pa] after it. Each point's result depends on that point alone.
   [[nodiscard]] virtual double update(const Batch& batch) const = 0;
+  /// Poisson's ratio [-] of its elastic response.
+  [[nodiscard]] virtual double poissons_ratio() const = 0;
   /// State variables at the start.
   [[nodiscard]] virtual PointHistory start(const PointStart&) const { return {}; }
 };

@@ -63,6 +63,7 @@ class Model : public SoilModel {
     for (std::size_t k = 0; k < batch.size; ++k) largest = std::max(largest, update(batch, k));
     return largest;
   }
+  [[nodiscard]] double poissons_ratio() const override { return p_.nu; }
 
   [[nodiscard]] PointHistory start(const PointStart& s) const override {
     const double p = -(s.s_rr + s.s_zz + s.s_tt) / 3.0;

@@ -77,6 +77,7 @@ class Model : public SoilModel {
     for (std::size_t k = 0; k < batch.size; ++k) update(batch, k);
     return modulus_;
   }
+  [[nodiscard]] double poissons_ratio() const override { return nu_; }
 
  private:
   static constexpr int count = 6;

@@ -62,14 +62,17 @@ std::vector<LawQuantity> make_quantities() {
 
 class Model : public SoilModel {
  public:
-  Model(const P& parameters, const GrainCrushing& crushing) : law_(parameters, crushing) {}
+  Model(const P& parameters, const GrainCrushing& crushing)
+      : law_(parameters, crushing), nu_(parameters.nu) {}
   [[nodiscard]] double update(const Batch& batch) const override { return law_.update(batch); }
+  [[nodiscard]] double poissons_ratio() const override { return nu_; }
   [[nodiscard]] PointHistory start(const PointStart& s) const override {
     return {law_.initial_image_pressure(s.s_rr, s.s_zz, s.s_tt, s.s_rz, s.e)};
   }
 
  private:
   NorSand law_;
+  double nu_;  // [-]
 };
 
 class NorSandLaw : public Law {

@@ -32,11 +32,13 @@ std::vector<LawQuantity> make_quantities() {
 
 class Uniform : public SoilModel {
  public:
-  explicit Uniform(const P& parameters) : law_(parameters) {}
+  explicit Uniform(const P& parameters) : law_(parameters), nu_(parameters.nu) {}
   [[nodiscard]] double update(const Batch& batch) const override { return law_.update(batch); }
+  [[nodiscard]] double poissons_ratio() const override { return nu_; }
 
  private:
   Tresca law_;
+  double nu_;  // [-]
 };
 
 // A strength of its own at every point, by depth, strain and rate.
@@ -47,6 +49,7 @@ class Varying : public SoilModel {
         parameters_(parameters),
         mechanisms_(mechanisms) {}
   [[nodiscard]] double update(const Batch& batch) const override { return law_.update(batch); }
+  [[nodiscard]] double poissons_ratio() const override { return parameters_.nu; }
   [[nodiscard]] PointHistory start(const PointStart& s) const override {
     return {strength_at(parameters_, mechanisms_, s.depth)};
   }
