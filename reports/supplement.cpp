@@ -222,7 +222,8 @@ void write_audit(Writer& out, const Snapshot& s) {
   out.paragraph(
       fmt::format("Completed, but more than {:.0f} % of the penetrometer's work (energy), {:.0f} % of its "
                   "impulse (momentum) "
-                  "or {:.0f} % of its work in motion (kinetic energy) is open, or cells lost their points. "
+                  "or {:.0f} % of its work in motion (kinetic energy) is open, cells lost their points or "
+                  "soils that share cells could not move apart. "
                   "Indices that rest "
                   "on them say so.",
                   100.0 * results::most_energy_error, 100.0 * results::most_momentum_error,

@@ -19,7 +19,8 @@ Setup actual_setup(const Setup& setup) {
   mechanisms.overconsolidation = {};
   mechanisms.layer_shift = {};
   mechanisms.worn_cone = {};
-  actual.numerics = refined(setup.numerics);
+  actual.numerics = refined(setup);
+  actual.numerics.for_diameter = actual.penetrometer.diameter;  // a worn cone keeps the mesh
   return actual;
 }
 

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cpt::solver {
 namespace {
+
+constexpr double rounding = 1e-6;  // [-] of a row
+constexpr double touching = 1e-9;  // [m]
 
 std::vector<PointZone> zones_to_wall(const Setup& setup) {
   std::vector<PointZone> zones;
@@ -25,18 +29,41 @@ std::vector<PointZone> zones_to_wall(const Setup& setup) {
   return zones;
 }
 
+// Heights from the bottom to the top between which points are alike.
+std::vector<double> band_edges(const Setup& setup, double top) {
+  const double bottom = -setup.chamber.soil_height;
+  std::vector<double> edges = {bottom, 0.0, top};
+  const auto add = [&](double depth) {
+    if (-depth > bottom && depth > 0.0) edges.push_back(-depth);
+  };
+  for (const Layer& layer : setup.layers) add(layer.top);
+  if (const DensityLens& lens = setup.mechanisms.density_lens; lens.change != 0.0) {
+    add(lens.centre + 0.5 * lens.thickness);
+    add(lens.centre - 0.5 * lens.thickness);
+  }
+  std::ranges::sort(edges);
+  const auto same = [](double a, double b) { return b - a < touching; };
+  edges.erase(std::ranges::unique(edges, same).begin(), edges.end());
+  return edges;
+}
+
 }  // namespace
 
 std::vector<PointGrid> point_grids(const Setup& setup) {
   const bool layer = setup.chamber.surcharge == SurchargeKind::layer;
-  const double top = layer ? setup.chamber.surcharge_height : 0.0, bottom = -setup.chamber.soil_height;
+  const std::vector<double> edges = band_edges(setup, layer ? setup.chamber.surcharge_height : 0.0);
+  const double shift = setup.numerics.point_shift;
   std::vector<PointGrid> grids;
   double inner = 0.0;
   for (const PointZone& zone : zones_to_wall(setup)) {
-    const int rows = static_cast<int>(std::lround((top - bottom) * zone.rows_per_metre));
-    const double dr = (zone.outer_radius - inner) / zone.columns, dz = (top - bottom) / rows;
-    grids.push_back(
-        {inner, zone.outer_radius, zone.columns, rows, bottom, dr, dz, setup.numerics.point_shift});
+    PointGrid grid{inner, zone.outer_radius, zone.columns, (zone.outer_radius - inner) / zone.columns, shift,
+                   {}};
+    for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+      const double height = edges[k + 1] - edges[k];
+      const int rows = std::max(1, static_cast<int>(std::ceil(height * zone.rows_per_metre - rounding)));
+      grid.bands.push_back({edges[k], rows, height / rows, shift});
+    }
+    grids.push_back(std::move(grid));
     inner = zone.outer_radius;
   }
   return grids;

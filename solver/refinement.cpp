@@ -5,7 +5,17 @@
 
 namespace cpt::solver {
 
-Numerics refined(Numerics numerics) {
+Numerics refined(const Setup& setup) {
+  Numerics numerics = setup.numerics;
+  const double scale = setup.penetrometer.diameter / numerics.for_diameter;
+  for (double* length :
+       {&numerics.near_height, &numerics.near_width_radius, &numerics.far_width, &numerics.coarse_rows_radius,
+        &numerics.zone_below, &numerics.zone_above, &numerics.below_height, &numerics.above_height})
+    *length *= scale;
+  for (PointZone& zone : numerics.zones) {
+    zone.outer_radius *= scale;
+    zone.rows_per_metre /= scale;
+  }
   const double r = numerics.refinement, points = r * std::sqrt(numerics.point_density);
   numerics.face_elements = static_cast<int>(std::lround(numerics.face_elements * r));
   numerics.near_height /= r;

@@ -62,7 +62,9 @@ struct PointZone {
   double rows_per_metre;  // [1/m] rows of points per metre of height
 };
 
+/// Lengths are given for a cone of `for_diameter` and grow with the penetrometer's (refinement.hpp).
 struct Numerics {
+  double for_diameter = 0.0253;      // [m] the cone of Yost et al. (2023); no input
   int face_elements = 2;             // [-] elements over the cone radius
   double near_height = 0.006325;     // [m] cell height around the tip
   double near_width_radius = 0.06;   // [m] columns keep about the near width up to here, then widen

@@ -8,11 +8,11 @@
 
 #include "solver/actual_setup.hpp"
 #include "solver/lengths.hpp"
-#include "solver/made_layers.hpp"
 #include "solver/material_points.hpp"
 #include "solver/quantities.hpp"
 #include "solver/refinement.hpp"
 #include "solver/soils/law.hpp"
+#include "solver/thin_layers.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -149,6 +149,7 @@ std::string Check::range_of_sigma_h(bool sound_layers) const {
 void Check::geometry() {
   const Penetrometer& penetrometer = setup_.penetrometer;
   const Numerics& numerics = setup_.numerics;
+  const double scale = penetrometer.diameter / numerics.for_diameter;
   if (setup_.chamber.radius <= 2.0 * penetrometer.diameter)
     add("chamber.radius_m",
         fmt::format("{} must exceed twice {}", given("chamber.radius_m"), given("penetrometer.diameter_m")));
@@ -165,7 +166,7 @@ void Check::geometry() {
     add("previous_push.spacing_m",
         fmt::format("{} must be below {}: the first push leaves nothing outside the chamber",
                     given("previous_push.spacing_m"), given("chamber.radius_m")));
-  if (numerics.near_width_radius >= setup_.chamber.radius)
+  if (scale * numerics.near_width_radius >= setup_.chamber.radius)
     add("numerics.near_width_radius_m",
         fmt::format("{} must be below {}", given("numerics.near_width_radius_m"), given("chamber.radius_m")));
   const double elements = numerics.face_elements * numerics.refinement;
@@ -179,7 +180,7 @@ void Check::geometry() {
     add("penetrometer.final_depth_m",
         fmt::format("{} must exceed {:.4f} m, the depth of the tip at the start (the cone's height)",
                     given("penetrometer.final_depth_m"), face_height()));
-  if (exceeds(penetrometer.final_depth + numerics.zone_below + 2.0 * numerics.near_height,
+  if (exceeds(penetrometer.final_depth + scale * (numerics.zone_below + 2.0 * numerics.near_height),
               setup_.chamber.soil_height))
     add("penetrometer.final_depth_m",
         fmt::format("{} and {} leave no room for the compressing mesh above the bottom, {}",
@@ -189,7 +190,7 @@ void Check::geometry() {
 
 bool Check::zones() {
   const std::size_t before = problems_.size();
-  double inner = setup_.penetrometer.diameter / 2.0;
+  double inner = setup_.numerics.for_diameter / 2.0;
   if (setup_.numerics.zones.empty()) add("numerics.zones", "there is no zone of material points");
   for (const PointZone& zone : setup_.numerics.zones) {
     if (!(zone.outer_radius > inner) || !std::isfinite(zone.outer_radius))
@@ -207,7 +208,7 @@ bool Check::zones() {
   return problems_.size() == before;
 }
 
-// Layers and lenses are made of whole rows of points; the first that is not made tells.
+// The first layer that the model cannot make tells.
 void Check::made() {
   const std::vector<Layer> layers = actual_setup(setup_).layers;
   const bool shifted = setup_.mechanisms.layer_shift.shift != 0.0;
@@ -215,25 +216,27 @@ void Check::made() {
     if (!(layer.bottom > layer.top + touching))
       return add("layer_shift.shift_mm", fmt::format("{} leaves nothing of the layer down to {:.4g} m",
                                                      given("layer_shift.shift_mm"), layer.bottom));
-  const std::vector<MadeInterval> all = made_layers(setup_);
-  const std::size_t zones = all.size() / layers.size();
-  for (std::size_t k = 0; k < layers.size() && zones > 0; ++k) {
-    const auto first = all.begin() + static_cast<std::ptrdiff_t>(k * zones);
-    const std::string why = not_made(setup_, {first, first + static_cast<std::ptrdiff_t>(zones)},
-                                     "the " + setup_.soils[layers[k].soil].name);
+  for (const Layer& layer : layers) {
+    const std::string why =
+        layers.size() > 1 ? too_thin(setup_, layer.top, layer.bottom, "the " + setup_.soils[layer.soil].name)
+                          : "";
     if (why.empty()) continue;
     add(shifted ? "layer_shift.shift_mm" : "layers",
         shifted ? fmt::format("with {}, {}", given("layer_shift.shift_mm"), why) : why);
     break;
   }
-  if (const std::string why = not_made(setup_, made_lens(setup_), "the density lens"); !why.empty())
+  const DensityLens& lens = setup_.mechanisms.density_lens;
+  const double top = std::max(0.0, lens.centre - 0.5 * lens.thickness);
+  const double bottom = std::min(setup_.chamber.soil_height, lens.centre + 0.5 * lens.thickness);
+  if (lens.change == 0.0 || !(bottom > top)) return;
+  if (const std::string why = too_thin(setup_, top, bottom, "the density lens"); !why.empty())
     add("density_lens.thickness_mm", fmt::format("with {}, {}", given("density_lens.thickness_mm"), why));
 }
 
 // A cell lower or narrower than the spacing of the material points is sure to be empty at some time, and
 // empty cells ruin a run. A margin of 1.2 is advisable; only the impossible is refused.
 void Check::cells() {
-  const Numerics numerics = refined(setup_.numerics);
+  const Numerics numerics = refined(setup_);
   const auto cause = [&](std::string_view quantity) {
     return given(quantity) +
            (setup_.numerics.point_density < 1.0 ? " and " + given("numerics.point_density") : "");

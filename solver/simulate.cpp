@@ -205,7 +205,7 @@ std::string_view to_string(Status status) {
   return "unknown";
 }
 
-std::string_view solver_version() { return "0.4"; }
+std::string_view solver_version() { return "0.5"; }
 
 Outcome simulate(const Setup& setup, Observer& observer, const Execution& execution) {
   std::vector<Problem> found = problems(setup);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "solver/made_layers.hpp"
+#include "solver/thin_layers.hpp"
 
 namespace cpt::cli {
 

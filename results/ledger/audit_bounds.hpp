@@ -21,4 +21,8 @@ inline constexpr double most_kinetic_fraction = 0.10;
 /// presets put about five into a cell: 0.1 % of the cells. The presets leave none.
 inline constexpr double most_empty_share = 2.0e-4;
 
+/// limited_share [-]: steps of cells of several soils in which the soils could not part their motion at once,
+/// over all such steps (solver/mixed_cells.hpp).
+inline constexpr double most_limited_share = 1.0e-3;
+
 }  // namespace cpt::results

@@ -49,6 +49,7 @@ std::vector<RowColumn<Run>> run_columns() {
       column("energy_error", "", &Run::audit, &Audit::energy_error),
       column("kinetic_fraction", "", &Run::audit, &Audit::kinetic_fraction),
       column("max_empty_cells", "", &Run::audit, &Audit::max_empty_cells),
+      column("limited_share", "", &Run::audit, &Audit::limited_share),
       column("min_time_step_s", "", &Run::audit, &Audit::min_time_step),
       column("max_time_step_s", "", &Run::audit, &Audit::max_time_step),
   };
@@ -254,9 +255,10 @@ const std::vector<RowColumn<RealizationRow>>& sealed_columns() {
   static const auto sealed = [] {
     std::vector<RowColumn<Run>> columns;
     const std::vector<RowColumn<Run>> all = run_columns();
-    for (const char* name : {"settings_hash", "solver_version", "status", "reason", "steps",
-                             "material_points", "max_empty_cells", "wall_s", "mass_error", "momentum_error",
-                             "energy_error", "kinetic_fraction", "min_time_step_s", "max_time_step_s"})
+    for (const char* name :
+         {"settings_hash", "solver_version", "status", "reason", "steps", "material_points",
+          "max_empty_cells", "wall_s", "mass_error", "momentum_error", "energy_error", "kinetic_fraction",
+          "min_time_step_s", "max_time_step_s", "limited_share"})
       columns.push_back(*std::ranges::find(all, name, &RowColumn<Run>::name));
     return columns;
   }();

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "parameters/read_study.hpp"
-#include "solver/made_layers.hpp"
+#include "solver/thin_layers.hpp"
 
 namespace cpt::results {
 

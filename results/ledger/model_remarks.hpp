@@ -8,7 +8,7 @@
 
 namespace cpt::results {
 
-/// Layers that are made otherwise than asked (solver/made_layers.hpp), in sentences; empty where all are as
+/// Layers that are made otherwise than asked (solver/thin_layers.hpp), in sentences; empty where all are as
 /// asked. Of a study that this version refuses for its layers, why.
 [[nodiscard]] std::vector<std::string> model_remarks(const Snapshot& campaign);
 

@@ -267,12 +267,13 @@ TEST(Hints, AWrongStatementIsBadInputWithItsPlace) {
   });
 }
 
-TEST(Hints, LayersThatCannotBeMadeAreRefusedAndThoseThatAreOffAreTold) {
+TEST(Hints, LayersThatCannotBeMadeAreRefusedAndWhatIsOffIsTold) {
   const StudyFolder folder;
   const auto study = [&](const std::string& bottom) {
     folder.write(
         "seam.toml",
         "profile = \"homogeneous_sand\"\npreset = \"quick\"\n[fixed]\n\"penetrometer.final_depth_m\" = 0.1\n"
+        "\"interface_mixing.thickness_mm\" = 3\n"
         "[parameters]\n\"sand.H\" = { upper = 75 }\n[[windows]]\nname = \"w\"\nfrom_m = 0.03\nto_m = 0.09\n"
         "[[layers]]\ntop_m = 0\nbottom_m = 0.06\nsoil = \"sand\"\n[[layers]]\ntop_m = 0.06\nbottom_m = " +
             bottom + "\nsoil = \"clay\"\n[[layers]]\ntop_m = " + bottom +
@@ -282,16 +283,16 @@ TEST(Hints, LayersThatCannotBeMadeAreRefusedAndThoseThatAreOffAreTold) {
   for (const char* how : {"--validate", "--plan", "--no-report"}) {
     const Result refused = run(campaign({"run", study("0.062"), how, "--executor", FAKE_REALIZATION}));
     EXPECT_EQ(refused.exit_code, 2) << how;
-    expect_has(refused.err, "seam.toml:11:");
-    expect_has(refused.err, "error: layers: the clay from 0.06 to 0.062 m, 2 mm thick, would be 0 mm");
-    expect_has(refused.err, "wherever it lies is 31.9 mm, for the rows beyond r = 0.2 m");
+    expect_has(refused.err, "seam.toml:12:");
+    expect_has(refused.err,
+               "error: layers: the clay from 0.06 to 0.062 m, 2 mm thick, is lower than a cell around the "
+               "tip, 6.33 mm");
     const Result told = run(campaign({"run", study("0.076"), how, "--executor", FAKE_REALIZATION}));
     EXPECT_EQ(told.exit_code, 0) << how << told.err << told.out;
-    expect_has(told.out, "note: layers are made of whole rows of material points");
-    expect_has(told.out, "16 mm thick: it is 12.1 mm thick between r = 0.08 and 0.2 m");
+    expect_has(told.out, "note: the mixed zone, 3 mm thick, lies between rows of material points");
   }
   ASSERT_EQ(run(campaign({"report", folder.file("seam.toml")})).exit_code, 0);
-  expect_has(folder.read("seam-report/index.html"), "16 mm thick: it is 12.1 mm thick");
+  expect_has(folder.read("seam-report/index.html"), "the mixed zone, 3 mm thick");
   expect_has(folder.read("seam-report/report.json"), "\"remarks\": [");
 }
 
