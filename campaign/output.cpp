@@ -8,12 +8,16 @@
 
 #include <cerrno>
 #include <cstring>
+#include <string>
+
+#include "campaign/mpirun_output.hpp"
 
 namespace cpt::campaign {
 namespace {
 
 int loss = 0;                    // errno of the first piece of standard output that could not be written
 bool closed_from_start = false;  // standard output
+bool printed = false;            // there
 
 // A pipe may have been made non-blocking by whoever else holds it; then its reader is waited for.
 bool write_all(int descriptor, const char* bytes, std::size_t size) {
@@ -34,6 +38,7 @@ bool write_all(int descriptor, const char* bytes, std::size_t size) {
 
 // What comes after a gap would make no sense, so nothing follows a loss.
 ssize_t to_stdout(void*, const char* bytes, std::size_t size) {
+  printed = true;
   if (loss == 0 && !write_all(STDOUT_FILENO, bytes, size)) loss = errno;
   return static_cast<ssize_t>(size);
 }
@@ -73,7 +78,13 @@ int close_output(int code, int if_lost) {
   std::fflush(stdout);
   // Some file systems tell only now that a disk is full.
   if (loss == 0 && !closed_from_start && ::close(STDOUT_FILENO) != 0 && errno != EBADF) loss = errno;
-  if (loss == 0) return code;
+  if (loss == 0) {
+    const std::string why = printed ? lost_by_mpirun() : "";
+    if (why.empty()) return code;
+    fmt::print(stderr,
+               "mpirun's standard output cannot be written ({}): what is printed there is not whole\n", why);
+    return code == 0 ? if_lost : code;
+  }
   if (loss != EPIPE)
     fmt::print(stderr, "standard output cannot be written ({}): what is printed there is not whole\n",
                closed_from_start ? "it is closed" : std::strerror(loss));

@@ -16,7 +16,8 @@ void open_output();
 
 /// Writes out what waits. `code` if all of standard output arrived or `code` tells of something worse;
 /// `if_lost` in place of 0 if some of it is lost, which stderr is then told, but of a reader that has gone:
-/// `campaign query ... | head -1` is no reason for a message. No output after this.
+/// `campaign query ... | head -1` is no reason for a message. Under mpirun the output is lost, too, where
+/// mpirun itself cannot write it. No output after this.
 [[nodiscard]] int close_output(int code, int if_lost);
 
 /// The file descriptor behind stdout, stderr or another stream.

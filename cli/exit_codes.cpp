@@ -15,8 +15,7 @@ constexpr ExitMeaning all_meanings[] = {
     {internal_error, "internal error"},
     {unusable_file,
      "a database, curve or report file cannot be read or written, or standard output is full, closed or read "
-     "no further, as by head; where mpirun itself cannot pass it on, the program does not learn of it: "
-     "campaign run --help"},
+     "no further, as by head, that of mpirun included where it runs on the same machine"},
     {stopped_by_signal,
      "stopped by signal n (130 Ctrl-C, 138 SIGUSR1, 143 terminated); the same command goes on where it "
      "stopped"},

@@ -145,9 +145,9 @@ void add_run(CLI::App& program, Action& action) {
   add_executor_option(*command, arguments->executor);
   command->footer(std::string(R"(No result depends on slots, threads or ranks.
 
-Under mpirun it is mpirun that writes what the ranks print. Where it cannot, its own standard output being full or
-closed, the program does not learn of it, and the exit code stays that of the campaign. Then take --quiet, or write to
-a file and look for its last line, or ask afterwards: campaign query STUDY realizations.
+Under mpirun it is mpirun that writes what the ranks print. Where it cannot, its own standard output being closed,
+without a reader or on a full disk, the exit code is 6 in place of 0 and standard error says so; the results are whole.
+Where mpirun runs on another machine than the rank that prints, the program cannot tell.
 
 )") + exit_code_help);
   command->callback([arguments, &action] {

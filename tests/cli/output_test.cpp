@@ -221,6 +221,16 @@ TEST_F(Output, MpiRanksToo) {
   const Result result =
       shell(quoted(mpirun(2, {own.study(), "--executor", FAKE_REALIZATION, "--no-report"})) + " <&-", law);
   EXPECT_EQ(result.exit_code, 0) << result.err;
+  // What mpirun itself cannot write.
+  const std::string command_line =
+      quoted(mpirun(2, {own.study(), "--executor", FAKE_REALIZATION, "--no-report"}));
+  for (const char* where : {" > /dev/full", " >&-"}) {
+    fs::remove(own.file("small.sqlite"));
+    const Result lost = shell(command_line + where, law);
+    EXPECT_EQ(lost.exit_code, 6) << where << lost.err;
+    EXPECT_NE(lost.err.find("mpirun's standard output cannot be written"), std::string::npos) << lost.err;
+    EXPECT_EQ(contents(own.file("small.sqlite")), contents(folder->file("small.sqlite"))) << where;
+  }
   // A wrapper gives each rank output that cannot be written.
   own.write("wrapped", "#!/bin/sh\nexec \"$@\" > /dev/full 2> /dev/full\n");
   fs::permissions(own.file("wrapped"), fs::perms::owner_all);
