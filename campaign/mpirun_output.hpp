@@ -5,9 +5,9 @@
 
 namespace cpt::campaign {
 
-/// Why mpirun cannot write there, "" where it can, where this process is no child of an mpirun, or where it
-/// cannot be known: a network's file system may be full for others than this machine. Linux; a rank on
-/// another machine than mpirun knows nothing.
+/// Why mpirun cannot write there: it is closed, its reader has gone, its disk is full by now. "" where it
+/// can, and where that cannot be known: this process is no child of an mpirun, or mpirun runs on another
+/// machine.
 [[nodiscard]] std::string lost_by_mpirun();
 
 }  // namespace cpt::campaign

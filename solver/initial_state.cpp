@@ -87,7 +87,7 @@ InitialState initial_state(const Setup& setup, std::span<const std::unique_ptr<c
       const double r = grid.r(i);
       for (const PointBand& band : grid.bands)
         for (int j = 0; j < band.rows; ++j, ++id) {
-          const double z = band.z(j);
+          const double z = grid.z(band, j);
           if (r < R_cone && z > (r - R_cone) * slope) continue;  // inside the penetrometer
 
           const double sigma_v = vertical_stress(setup, z), sigma_h = horizontal_stress(setup, left, z);

@@ -18,12 +18,6 @@ void for_each_index(std::int32_t count, int threads, const Function& function) {
   for (std::int32_t i = 0; i < count; ++i) function(i);
 }
 
-// A soil that shares a cell has a jump, and averages of its own: those across soils would mix their stresses.
-struct Quadrants {
-  double value[4];
-  explicit Quadrants(double all) : value{all, all, all, all} {}
-};
-
 }  // namespace
 
 Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std::int32_t>& material_of,
@@ -49,7 +43,9 @@ Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std:
   shapes_.resize(cells);
   modulus_.assign(cells, 0.0);
   bucket_modulus_.assign(cells * static_cast<std::size_t>(settings_.materials), 0.0);
+  soils_in_.assign(cells, 0);
   normals_.resize(cells);
+  sharing_.resize(static_cast<std::size_t>(settings_.threads) * most_materials);
   mixed_steps_.assign(cells, 0.0);
   limited_steps_.assign(cells, 0.0);
   work_.assign(cells, 0.0);
@@ -260,7 +256,8 @@ InterfaceNormal Model::interface_normal(std::int32_t c) const {
   return normal;
 }
 
-void Model::share_cell_motion(std::int32_t c, const CellMotion& motion, SoilInCell (&soils)[most_materials]) {
+const SoilInCell* Model::share_cell_motion(std::int32_t c, const CellMotion& motion, int thread) {
+  SoilInCell* const soils = &sharing_[static_cast<std::size_t>(thread) * most_materials];
   std::size_t count = 0;
   double all = 0.0;
   for (std::int32_t m = 0; m < settings_.materials; ++m) {
@@ -268,7 +265,7 @@ void Model::share_cell_motion(std::int32_t c, const CellMotion& motion, SoilInCe
     const Bucket& bucket = points_.bucket(b);
     if (bucket.count == 0) continue;
     const PointFields p = points_.fields(bucket);
-    SoilInCell& soil = soils[count++];
+    SoilInCell& soil = soils[count++] = {};
     for (std::int32_t k = 0; k < bucket.count; ++k) {
       soil.share += p.volume[k];
       soil.s_rr += p.volume[k] * p.s_rr[k];
@@ -303,13 +300,15 @@ void Model::share_cell_motion(std::int32_t c, const CellMotion& motion, SoilInCe
 
   mixed_steps_[c] += 1.0;
   if (share_motion({soils, count}, normals_[c], rate, motion.dt)) limited_steps_[c] += 1.0;
+  return soils;
 }
 
 void Model::move_points(double dt) {
   interpolate_hanging_nodes();
   for_each_index(static_cast<std::int32_t>(sums_.size()), settings_.threads, [this](std::int32_t c) {
-    if (std::ranges::count_if(sums_[c].material_mass, [](double m) { return m > 0.0; }) > 1)
-      normals_[c] = interface_normal(c);
+    soils_in_[c] = static_cast<std::int32_t>(
+        std::ranges::count_if(sums_[c].material_mass, [](double m) { return m > 0.0; }));
+    if (soils_in_[c] > 1) normals_[c] = interface_normal(c);
   });
 #pragma omp parallel for schedule(static, 1) num_threads(settings_.threads) if (settings_.threads > 1)
   for (int t = 0; t < settings_.threads; ++t) {
@@ -326,12 +325,10 @@ void Model::move_points(double dt) {
 void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, const CellShape& new_shape) {
   CellSums& sums = sums_[c];
   const CellForces& forces = forces_[c];
-  int materials = 0;
-  for (const double mass : sums.material_mass) materials += mass > 0.0 ? 1 : 0;
   const double volume = sums.volume[0] + sums.volume[1] + sums.volume[2] + sums.volume[3];
   std::memset(&sums, 0, sizeof(CellSums));
   modulus_[c] = 0.0;
-  if (materials == 0) {
+  if (soils_in_[c] == 0) {
     shapes_[c] = new_shape;
     return;
   }
@@ -358,10 +355,8 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
   motion.mean_stress[2] = forces.s_tt;
   motion.mean_stress[3] = forces.s_rz;
 
-  motion.mixed = materials > 1;
-  SoilInCell soils[most_materials];
-  const SoilInCell* soil = soils;
-  if (motion.mixed) share_cell_motion(c, motion, soils);
+  motion.mixed = soils_in_[c] > 1;
+  const SoilInCell* soil = motion.mixed ? share_cell_motion(c, motion, thread) : nullptr;
 
   const StrainScratch strain = scratch(thread);
   for (std::int32_t m = 0; m < settings_.materials; ++m) {
@@ -371,10 +366,10 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
     const PointFields p = points_.fields(bucket);
     const std::size_t padded = bucket.padded();
     motion.smoothing = settings_.stress_smoothing[m];
-    const Quadrants own[4] = {Quadrants(soil->s_rr), Quadrants(soil->s_zz), Quadrants(soil->s_tt),
-                              Quadrants(soil->s_rz)};
+    double own[4][4];  // averages across soils would mix their stresses: the soil's own, in every quadrant
     if (motion.mixed) {
-      for (int i = 0; i < 4; ++i) motion.mean_stress[i] = own[i].value;
+      const double means[4] = {soil->s_rr, soil->s_zz, soil->s_tt, soil->s_rz};
+      for (int i = 0; i < 4; ++i) motion.mean_stress[i] = std::fill_n(own[i], 4, means[i]) - 4;
       motion.jump = (soil++)->jump;
     }
     double work = kernels_.move_points(bucket.count, padded, p, motion, strain);

@@ -108,7 +108,8 @@ class Model {
   void condense_hanging_nodes();
   void interpolate_hanging_nodes();
   [[nodiscard]] InterfaceNormal interface_normal(std::int32_t c) const;
-  void share_cell_motion(std::int32_t c, const CellMotion& motion, SoilInCell (&soils)[most_materials]);
+  /// The soils of a cell of several, in the order of their numbers, each with its jump.
+  const SoilInCell* share_cell_motion(std::int32_t c, const CellMotion& motion, int thread);
   void move_cell(std::int32_t c, double dt, int thread, const Cell& cell, const CellShape& new_shape);
   void sum_all_points();
   void rehome_leavers();
@@ -126,9 +127,11 @@ class Model {
   std::vector<CellSums> sums_;
   std::vector<CellForces> forces_;
   std::vector<CellShape> shapes_;
-  std::vector<double> modulus_;         // [Pa] largest P-wave modulus in a cell
-  std::vector<double> bucket_modulus_;  // [Pa] of each soil in each cell
-  std::vector<InterfaceNormal> normals_;
+  std::vector<double> modulus_;                      // [Pa] largest P-wave modulus in a cell
+  std::vector<double> bucket_modulus_;               // [Pa] of each soil in each cell
+  std::vector<std::int32_t> soils_in_;               // number of soils in a cell
+  std::vector<InterfaceNormal> normals_;             // of cells with several
+  std::vector<SoilInCell> sharing_;                  // scratch, most_materials for each thread
   std::vector<double> mixed_steps_, limited_steps_;  // [-] of a cell, whole numbers
   std::vector<double> work_;                         // [J/rad] by cell
   std::vector<double> divergence_;                   // [1/s] mean of a cell in the last step

@@ -52,16 +52,19 @@ std::vector<double> band_edges(const Setup& setup, double top) {
 std::vector<PointGrid> point_grids(const Setup& setup) {
   const bool layer = setup.chamber.surcharge == SurchargeKind::layer;
   const std::vector<double> edges = band_edges(setup, layer ? setup.chamber.surcharge_height : 0.0);
-  const double shift = setup.numerics.point_shift;
   std::vector<PointGrid> grids;
   double inner = 0.0;
   for (const PointZone& zone : zones_to_wall(setup)) {
-    PointGrid grid{inner, zone.outer_radius, zone.columns, (zone.outer_radius - inner) / zone.columns, shift,
+    PointGrid grid{inner,
+                   zone.outer_radius,
+                   zone.columns,
+                   (zone.outer_radius - inner) / zone.columns,
+                   setup.numerics.point_shift,
                    {}};
     for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
       const double height = edges[k + 1] - edges[k];
       const int rows = std::max(1, static_cast<int>(std::ceil(height * zone.rows_per_metre - rounding)));
-      grid.bands.push_back({edges[k], rows, height / rows, shift});
+      grid.bands.push_back({edges[k], rows, height / rows});
     }
     grids.push_back(std::move(grid));
     inner = zone.outer_radius;

@@ -9,12 +9,9 @@ namespace cpt::solver {
 
 /// The rows of one zone between two heights at which the soil changes.
 struct PointBand {
-  double bottom;       // [m] height above the soil's top
-  int rows;            // [-]
-  double dz;           // [m] spacing
-  double shift = 0.0;  // [-] as of the grid
-
-  [[nodiscard]] double z(int row) const { return bottom + (row + 0.5 + 0.5 * shift) * dz; }
+  double bottom;  // [m] height above the soil's top
+  int rows;       // [-]
+  double dz;      // [m] spacing
 };
 
 /// The points of one zone over the whole height of soil and surcharge, the penetrometer's place included.
@@ -26,6 +23,9 @@ struct PointGrid {
   std::vector<PointBand> bands;  // from the bottom upward
 
   [[nodiscard]] double r(int column) const { return inner + (column + 0.5 + 0.5 * shift) * dr; }
+  [[nodiscard]] double z(const PointBand& band, int row) const {
+    return band.bottom + (row + 0.5 + 0.5 * shift) * band.dz;
+  }
 };
 
 /// The zones of a setup as it really is (actual_setup.hpp), cut or stretched to the chamber's wall, columns

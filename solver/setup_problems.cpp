@@ -49,6 +49,13 @@ class Check {
 
   [[nodiscard]] std::string given(std::string_view name) const { return solver::given(setup_, name); }
 
+  [[nodiscard]] double scale() const { return setup_.penetrometer.diameter / setup_.numerics.for_diameter; }
+  /// A length that grows with the cone, as given and as it is.
+  [[nodiscard]] std::string at_this_cone(std::string_view name) const {
+    if (scale() == 1.0) return given(name);
+    return fmt::format("{} ({:.3g} m at this cone)", given(name), scale() * find_quantity(name)->get(setup_));
+  }
+
   void values();
   void layers();
   void soils();
@@ -149,7 +156,6 @@ std::string Check::range_of_sigma_h(bool sound_layers) const {
 void Check::geometry() {
   const Penetrometer& penetrometer = setup_.penetrometer;
   const Numerics& numerics = setup_.numerics;
-  const double scale = penetrometer.diameter / numerics.for_diameter;
   if (setup_.chamber.radius <= 2.0 * penetrometer.diameter)
     add("chamber.radius_m",
         fmt::format("{} must exceed twice {}", given("chamber.radius_m"), given("penetrometer.diameter_m")));
@@ -166,9 +172,10 @@ void Check::geometry() {
     add("previous_push.spacing_m",
         fmt::format("{} must be below {}: the first push leaves nothing outside the chamber",
                     given("previous_push.spacing_m"), given("chamber.radius_m")));
-  if (scale * numerics.near_width_radius >= setup_.chamber.radius)
+  if (scale() * numerics.near_width_radius >= setup_.chamber.radius)
     add("numerics.near_width_radius_m",
-        fmt::format("{} must be below {}", given("numerics.near_width_radius_m"), given("chamber.radius_m")));
+        fmt::format("{} must be below {}", at_this_cone("numerics.near_width_radius_m"),
+                    given("chamber.radius_m")));
   const double elements = numerics.face_elements * numerics.refinement;
   const Quantity& most = *find_quantity("numerics.face_elements");
   if (elements != std::round(elements) || elements < most.min || elements > most.max)
@@ -180,11 +187,11 @@ void Check::geometry() {
     add("penetrometer.final_depth_m",
         fmt::format("{} must exceed {:.4f} m, the depth of the tip at the start (the cone's height)",
                     given("penetrometer.final_depth_m"), face_height()));
-  if (exceeds(penetrometer.final_depth + scale * (numerics.zone_below + 2.0 * numerics.near_height),
+  if (exceeds(penetrometer.final_depth + scale() * (numerics.zone_below + 2.0 * numerics.near_height),
               setup_.chamber.soil_height))
     add("penetrometer.final_depth_m",
         fmt::format("{} and {} leave no room for the compressing mesh above the bottom, {}",
-                    given("penetrometer.final_depth_m"), given("numerics.zone_below_m"),
+                    given("penetrometer.final_depth_m"), at_this_cone("numerics.zone_below_m"),
                     given("chamber.soil_height_m")));
 }
 
@@ -196,7 +203,7 @@ bool Check::zones() {
     if (!(zone.outer_radius > inner) || !std::isfinite(zone.outer_radius))
       add("numerics.zones",
           fmt::format("the outer radius {} m must exceed {} m, that of the zone inside it or of the "
-                      "penetrometer",
+                      "cone for which lengths are given",
                       zone.outer_radius, inner));
     if (zone.columns < 1 || zone.columns > max_zone_columns)
       add("numerics.zones", fmt::format("{} columns are outside 1 to {}", zone.columns, max_zone_columns));

@@ -71,9 +71,8 @@ std::string outcome_checksum(const Database& database, std::int64_t id, const Ru
   if (row.step())
     for (std::size_t k = 0; k < sealed.size(); ++k) {
       const int column = static_cast<int>(k);
-      if (row.is_null(column) && sealed[k].name == "limited_share")
-        continue;  // what earlier programs did not record leaves their checksums as they are
-      else if (row.is_null(column))
+      if (row.is_null(column) && k >= always_sealed) continue;
+      if (row.is_null(column))
         append("NULL");
       else if (sealed[k].type == "TEXT")
         append(row.text(column));

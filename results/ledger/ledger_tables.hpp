@@ -28,6 +28,9 @@ namespace cpt::results {
 [[nodiscard]] bool is_outcome(const ColumnDefinition& column);
 /// Columns of a run that its checksum covers, in the checksum's order.
 [[nodiscard]] const std::vector<RowColumn<RealizationRow>>& sealed_columns();
+/// The first of them are sealed by every program; those that came later, where they are NULL, leave the
+/// checksums of earlier programs as they are.
+inline constexpr std::size_t always_sealed = 14;
 
 /// All tables, each behind those that it refers to.
 [[nodiscard]] const std::vector<TableDefinition>& ledger_tables();

@@ -2,12 +2,14 @@
 // settings again.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <tuple>
 
 #include "results/files/database.hpp"
 #include "results/ledger/curve_store.hpp"
 #include "results/ledger/matching.hpp"
 #include "results/ledger/schema.hpp"
+#include "results/ledger/views.hpp"
 #include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 
@@ -18,11 +20,14 @@ class Unused : public ScratchFolder {
  protected:
   parameters::Study study = sand_study(folder);
 
-  void run_all(const parameters::Study& asked) {
+  void run_all(const parameters::Study& asked, double limited_share = 0.0) {
     Ledger ledger = open(asked);
     for (const int id : ledger.pending()) {
       ledger.mark_running(id);
-      ledger.record(id, id == 4 ? failed(solver::Status::energy_drift, "error 0.2") : completed(1e6 * id));
+      solver::Outcome outcome =
+          id == 4 ? failed(solver::Status::energy_drift, "error 0.2") : completed(1e6 * id);
+      outcome.audit.limited_share = limited_share;
+      ledger.record(id, outcome);
     }
   }
   [[nodiscard]] std::int64_t count(const std::string& sql) const {
@@ -276,21 +281,27 @@ std::vector<std::tuple<int, std::string, double, std::string>> inputs_of(const S
 
 // Ledgers of all earlier schema versions; only the last of them had unused runs.
 TEST_F(Unused, OlderLedgersAreUpgradedByTheEdit) {
-  for (const int version : {1, 2, 3, 4, 5}) {
+  for (const int version : {1, 2, 3, 4, 5, 6}) {
     std::filesystem::remove(study.database);
-    run_all(study);
+    run_all(study, NAN);  // not recorded then
     const std::string before = everything();
     const Snapshot now = read_snapshot(study.database);
-    std::string older =
-        "DROP TABLE realization_input; ALTER TABLE curve DROP COLUMN wall_stress_Pa;"
-        "ALTER TABLE unused_curve DROP COLUMN wall_stress_Pa; ALTER TABLE window_mean DROP COLUMN "
-        "f_s_mean_kPa;"
-        "ALTER TABLE window_mean DROP COLUMN wall_stress_mean_kPa;";
+    std::string older;
+    for (const View& view : views()) older += fmt::format("DROP VIEW {};", view.name);
+    older +=
+        "ALTER TABLE realization DROP COLUMN limited_share; ALTER TABLE unused DROP COLUMN "
+        "limited_share;";
+    if (version < 6)
+      older +=
+          "DROP TABLE realization_input; ALTER TABLE curve DROP COLUMN wall_stress_Pa;"
+          "ALTER TABLE unused_curve DROP COLUMN wall_stress_Pa; ALTER TABLE window_mean DROP COLUMN "
+          "f_s_mean_kPa;"
+          "ALTER TABLE window_mean DROP COLUMN wall_stress_mean_kPa;";
     if (version < 5)
       older +=
           "DROP TABLE unused_checksum; DROP TABLE unused_curve; DROP TABLE unused; DROP TABLE former_study;";
     if (version < 4) older += "DROP TABLE import;";
-    if (version < 3) older += "DROP VIEW tornado; DROP VIEW sensitivity; DROP TABLE repeat_noise;";
+    if (version < 3) older += "DROP TABLE repeat_noise;";
     execute(older + "PRAGMA user_version = " + std::to_string(version));
     EXPECT_EQ(prospect(study)->opened.kept, 7);
     EXPECT_EQ(count("PRAGMA user_version"), version) << "a look upgrades nothing";

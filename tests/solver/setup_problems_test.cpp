@@ -169,5 +169,16 @@ TEST(Problems, AChamberMayBeNarrowerThanTheZones) {
   }
 }
 
+TEST(Problems, OfLengthsThatGrowWithTheConeSayWhatTheyAreThere) {
+  solver::Setup setup = make_setup(Profile::homogeneous_sand, Preset::quick);
+  setup.penetrometer.diameter = 2.0 * 0.0253;
+  setup.numerics.near_width_radius = 0.24;
+  const auto found = problems(setup);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(
+      found[0].message,
+      "numerics.near_width_radius_m = 0.24 (0.48 m at this cone) must be below chamber.radius_m = 0.45");
+}
+
 }  // namespace
 }  // namespace cpt::solver

@@ -130,7 +130,7 @@ TEST(Layers, AThinLensIsRefusedAndOthersAreMade) {
   for (const PointGrid& grid : point_grids(actual)) {
     double height = 0.0;
     for (const PointBand& band : grid.bands)
-      if (actual.mechanisms.density_lens.at(-band.z(0)) != 0.0) height += band.rows * band.dz;
+      if (actual.mechanisms.density_lens.at(-grid.z(band, 0)) != 0.0) height += band.rows * band.dz;
     EXPECT_NEAR(height, 17.0 * mm, 1e-9);
   }
 }
