@@ -61,13 +61,14 @@ CREATE TABLE reservation (position INTEGER PRIMARY KEY, sentence TEXT NOT NULL);
 )sql";
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr HeldOutGain no_gain{no_number, no_number, no_number, no_number, no_number, no_number};
 
 }  // namespace
 
 std::vector<FittedParameter> fitted_parameters(const Diagnosis& diagnosis, const Problem& problem) {
   std::vector<FittedParameter> fitted;
   for (std::size_t k = 0; k < diagnosis.mechanisms.size(); ++k) {
-    const MechanismEvidence& evidence = diagnosis.mechanisms[k];
+    const MechanismEvidence& evidence = diagnosis.mechanisms[k].evidence;
     const solver::Mechanism* mechanism = solver::find_mechanism(evidence.name);
     const std::vector<std::string>& names = problem.mechanisms[k].parameters;
     for (std::size_t j = 0; j < names.size() && mechanism != nullptr; ++j)
@@ -83,48 +84,43 @@ std::vector<FittedParameter> fitted_parameters(const Diagnosis& diagnosis, const
   return fitted;
 }
 
-const std::string& answer_name(const Diagnosis& diagnosis) {
-  return diagnosis.hypotheses[diagnosis.answer].name;
-}
-
 void store_answer(const std::filesystem::path& file, const AnswerText& text, const Diagnosis& diagnosis,
                   const Problem& problem) {
   const results::Database database(file, results::Database::Mode::read_write);
   results::Transaction transaction(database, results::Transaction::Kind::write);
   database.execute(tables);
-  const Hypothesis& none = diagnosis.hypotheses[diagnosis.mechanisms.size()];
-  const auto& held_out = diagnosis.held_out;
+  const Verdict& verdict = diagnosis.verdict;
+  const HeldOutGain gain = diagnosis.best && diagnosis.best->held_out ? *diagnosis.best->held_out : no_gain;
   database.prepare("INSERT INTO diagnosis VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(text.title)
       .bind(text.study)
       .bind(text.headline)
-      .bind(answer_name(diagnosis))
-      .bind(none.probability)
+      .bind(verdict.of(verdict.answer).name)
+      .bind(verdict.of(Explanation::nothing()).probability)
       .bind(diagnosis.location.p)
-      .bind(diagnosis.recalibrated.rmse)
-      .bind(diagnosis.best ? diagnosis.with_best.rmse : no_number)
-      .bind(held_out ? held_out->rmse_null : no_number)
-      .bind(held_out ? held_out->rmse : no_number)
-      .bind(held_out ? held_out->per_cell : no_number)
-      .bind(held_out ? held_out->lower : no_number)
-      .bind(held_out ? held_out->upper : no_number)
+      .bind(diagnosis.null.recalibrated.rmse)
+      .bind(diagnosis.best ? diagnosis.with_best().rmse : no_number)
+      .bind(gain.rmse_null)
+      .bind(gain.rmse)
+      .bind(gain.per_cell)
+      .bind(gain.lower)
+      .bind(gain.upper)
       .run();
-  for (std::size_t k = 0; k < diagnosis.hypotheses.size(); ++k) {
-    const Hypothesis& h = diagnosis.hypotheses[k];
-    const bool in_set = std::find(diagnosis.set.begin(), diagnosis.set.end(), k) != diagnosis.set.end();
+  int position = 0;
+  for (const Hypothesis& h : verdict.hypotheses)
     database.prepare("INSERT INTO hypothesis VALUES (?, ?, ?, ?, ?, ?)")
-        .bind(static_cast<int>(k) + 1)
+        .bind(++position)
         .bind(h.name)
         .bind(h.prior)
         .bind(h.log_evidence)
         .bind(h.probability)
-        .bind(in_set ? 1 : 0)
+        .bind(verdict.in_set(h.explanation) ? 1 : 0)
         .run();
-  }
-  int position = 0;
-  const VectorXd recorded = problem.recorded(diagnosis.rows);
+  position = 0;
+  const VectorXd recorded = problem.recorded(diagnosis.compared.rows);
   for (const Mismatch& m : diagnosis.location.mismatches) {
-    const Departure above = departure_on(diagnosis.cells, recorded, diagnosis.recalibrated.curve, m);
+    const Departure above =
+        departure_on(diagnosis.compared.cells, recorded, diagnosis.null.recalibrated.curve, m);
     database.prepare("INSERT INTO mismatch VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
         .bind(++position)
         .bind(m.sounding)

@@ -20,9 +20,6 @@ struct FittedParameter {
 [[nodiscard]] std::vector<FittedParameter> fitted_parameters(const Diagnosis& diagnosis,
                                                              const Problem& problem);
 
-/// Name of the answer after the gate: a mechanism, "nothing is missing" or "none of these".
-[[nodiscard]] const std::string& answer_name(const Diagnosis& diagnosis);
-
 /// What an answer is about, and how it is said.
 struct AnswerText {
   std::string title;                      ///< of the request
@@ -37,8 +34,8 @@ void store_answer(const std::filesystem::path& database, const AnswerText& text,
 
 /// An answer as it is read back. Numbers that the diagnosis did not give are NaN.
 struct StoredAnswer : AnswerText {
-  std::string file;                                                ///< name of the database
-  std::string answer;                                              ///< see answer_name
+  std::string file;    ///< name of the database
+  std::string answer;  ///< after the gate: a mechanism, "nothing is missing" or "none of these"
   double held_out_rmse_null, held_out_rmse;                        // [-] of ln q_c
   double held_out_gain, held_out_gain_lower, held_out_gain_upper;  // [-] log score per cell, 90 % interval
   struct Weighed {

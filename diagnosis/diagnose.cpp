@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
 namespace cpt::diagnosis {
 namespace {
+
+constexpr double not_yet = std::numeric_limits<double>::quiet_NaN();
 
 VectorXd kept(const VectorXd& curve, const std::vector<Index>& rows) {
   return curve.size() > 0 ? VectorXd(curve(rows)) : curve;
@@ -55,62 +58,77 @@ NoiseModel measurement_noise(const Problem& problem, const Options& options) {
 }
 
 // Noise, and the error of the response surface.
-MatrixXd noise(const Problem& problem, const NoiseModel& measurement,
-               const std::optional<ShrunkCovariance>& numerical, const ResponseSurface& surface) {
-  MatrixXd sigma = noise_covariance(problem.cells, measurement);
-  if (numerical) sigma += problem.numerical_shares * numerical->covariance;
+MatrixXd noise(const Problem& problem, const Compared& compared, const ResponseSurface& surface) {
+  MatrixXd sigma = noise_covariance(compared.cells, compared.measurement);
+  if (compared.numerical) sigma += problem.numerical_shares * compared.numerical->covariance;
   return sigma + low_rank_plus_diagonal(surface.left_out());
 }
 
-VectorXd prior_of(std::size_t mechanisms, const Options& options) {
-  const auto k = static_cast<Index>(mechanisms);
-  const double rest = 1.0 - options.prior_nothing - options.prior_unknown;
-  VectorXd prior(k + 2);
-  prior.head(k).setConstant(k > 0 ? rest / static_cast<double>(k) : 0.0);
-  prior(k) = options.prior_nothing;
-  prior(k + 1) = options.prior_unknown;
-  return prior / prior.sum();
+VectorXd column(const std::vector<Hypothesis>& hypotheses, double Hypothesis::*number) {
+  VectorXd values(static_cast<Index>(hypotheses.size()));
+  std::ranges::transform(hypotheses, values.begin(), number);
+  return values;
 }
 
-struct Weighing {
-  std::vector<MechanismEvidence> mechanisms;
-  VectorXd log_evidence;  // mechanisms, nothing, none of these
-};
+// What is to be weighed, with its prior.
+std::vector<Hypothesis> hypotheses_of(const std::vector<CurveEmulator>& emulators, const Options& options) {
+  const double rest = 1.0 - options.prior_nothing - options.prior_unknown;
+  std::vector<Hypothesis> hypotheses;
+  for (std::size_t k = 0; k < emulators.size(); ++k)
+    hypotheses.push_back(
+        {k, emulators[k].name(), rest / static_cast<double>(emulators.size()), not_yet, not_yet});
+  hypotheses.push_back({Explanation::nothing(), nothing_is_missing, options.prior_nothing, not_yet, not_yet});
+  hypotheses.push_back({Explanation::unknown(), none_of_these, options.prior_unknown, not_yet, not_yet});
+  const double sum = column(hypotheses, &Hypothesis::prior).sum();
+  for (Hypothesis& hypothesis : hypotheses) hypothesis.prior /= sum;
+  return hypotheses;
+}
 
-Weighing weigh(const Problem& problem, const NullModel& null, const std::vector<CurveEmulator>& emulators,
-               const Options& options) {
+void set_probabilities(std::vector<Hypothesis>& hypotheses) {
+  const VectorXd probability =
+      probabilities(column(hypotheses, &Hypothesis::log_evidence), column(hypotheses, &Hypothesis::prior));
+  for (std::size_t k = 0; k < hypotheses.size(); ++k)
+    hypotheses[k].probability = probability(static_cast<Index>(k));
+}
+
+// Fills in log evidence and probability of the hypotheses; what there is to say of the mechanisms.
+std::vector<MechanismEvidence> weigh(const Problem& problem, const NullModel& null,
+                                     const std::vector<CurveEmulator>& emulators, const Options& options,
+                                     std::vector<Hypothesis>& hypotheses) {
   const VectorXd residual = problem.recorded - null.mean;
   const Whitener M(null.covariance);
-  const auto k = static_cast<Index>(emulators.size());
-  Weighing weighing;
-  weighing.log_evidence.resize(k + 2);
-  for (Index i = 0; i < k; ++i) {
-    const MechanismLikelihood likelihood(emulators[static_cast<std::size_t>(i)], M);
-    weighing.mechanisms.push_back(mechanism_evidence(likelihood, residual, options.grid));
-    weighing.log_evidence(i) = weighing.mechanisms.back().log_evidence;
+  std::vector<MechanismEvidence> mechanisms;
+  for (Hypothesis& hypothesis : hypotheses) {
+    if (hypothesis.explanation.is_nothing()) {
+      hypothesis.log_evidence = M.log_density(residual);
+    } else if (hypothesis.explanation.is_unknown()) {
+      hypothesis.log_evidence = unknown_evidence(problem.cells, null, residual, options.unknown);
+    } else {
+      const MechanismLikelihood likelihood(emulators[hypothesis.explanation.mechanism()], M);
+      mechanisms.push_back(mechanism_evidence(likelihood, residual, options.grid));
+      hypothesis.log_evidence = mechanisms.back().log_evidence;
+    }
   }
-  weighing.log_evidence(k) = M.log_density(residual);
-  weighing.log_evidence(k + 1) = unknown_evidence(problem.cells, null, residual, options.unknown);
-  return weighing;
+  set_probabilities(hypotheses);
+  return mechanisms;
 }
 
 // The most probable, where "nothing is missing" gives way only below the alarm's level.
-std::size_t winner_of(const VectorXd& probability, const Options& options) {
-  const Index nothing = probability.size() - 2;
-  if (probability(nothing) >= options.alarm) return static_cast<std::size_t>(nothing);
-  Index best = 0;
-  probability.maxCoeff(&best);
-  return static_cast<std::size_t>(best);
+Explanation winner_of(const std::vector<Hypothesis>& hypotheses, const Options& options) {
+  for (const Hypothesis& hypothesis : hypotheses)
+    if (hypothesis.explanation.is_nothing() && hypothesis.probability >= options.alarm)
+      return hypothesis.explanation;
+  return std::ranges::max_element(hypotheses, {}, &Hypothesis::probability)->explanation;
 }
 
 std::vector<PairEvidence> best_pairs(const Problem& problem, const std::vector<CurveEmulator>& emulators,
-                                     const NullModel& null, const VectorXd& log_evidence,
+                                     const NullModel& null, const std::vector<MechanismEvidence>& mechanisms,
                                      const Options& options) {
   const VectorXd residual = problem.recorded - null.mean;
   std::vector<std::size_t> order(emulators.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return log_evidence(static_cast<Index>(a)) > log_evidence(static_cast<Index>(b));
+    return mechanisms[a].log_evidence > mechanisms[b].log_evidence;
   });
   order.resize(std::min(order.size(), static_cast<std::size_t>(options.pairs_of)));
   std::vector<PairEvidence> pairs;
@@ -125,30 +143,23 @@ std::vector<PairEvidence> best_pairs(const Problem& problem, const std::vector<C
 }
 
 // The credible set, and what the answer cannot be told from.
-std::vector<std::size_t> answers(const Diagnosis& diagnosis, const Options& options) {
-  const std::size_t mechanisms = diagnosis.mechanisms.size();
-  std::vector<std::size_t> order(diagnosis.hypotheses.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return diagnosis.hypotheses[a].probability > diagnosis.hypotheses[b].probability;
-  });
-  std::vector<bool> in(order.size(), false);
-  in[diagnosis.answer] = true;
+std::vector<Explanation> answers(const Verdict& verdict, const Isolability& isolability,
+                                 const Options& options) {
+  const auto like_the_answer = [&](Explanation other) {
+    if (!verdict.answer.is_mechanism() || other.is_unknown()) return false;
+    const auto i = static_cast<Index>(verdict.answer.mechanism());
+    const double distance = other.is_nothing()
+                                ? isolability.strength(i)
+                                : isolability.between(i, static_cast<Index>(other.mechanism()));
+    return distance < options.indistinguishable;
+  };
+  std::vector<Explanation> set;
   double sum = 0.0;
-  for (const std::size_t k : order) {
-    if (sum < options.credible) in[k] = true;
-    sum += diagnosis.hypotheses[k].probability;
+  for (const Explanation explanation : verdict.by_probability()) {
+    if (sum < options.credible || explanation == verdict.answer || like_the_answer(explanation))
+      set.push_back(explanation);
+    sum += verdict.of(explanation).probability;
   }
-  if (diagnosis.answer < mechanisms) {
-    const auto i = static_cast<Index>(diagnosis.answer);
-    // The last column, against the null, stands where "nothing is missing" does among the hypotheses.
-    for (Index j = 0; j < diagnosis.isolability.cols(); ++j)
-      if (j != i && diagnosis.isolability(i, j) < options.indistinguishable)
-        in[static_cast<std::size_t>(j)] = true;
-  }
-  std::vector<std::size_t> set;
-  for (const std::size_t k : order)
-    if (in[k]) set.push_back(k);
   return set;
 }
 
@@ -160,25 +171,45 @@ double shortest_sounding(const std::vector<Cell>& cells) {
   return *std::min_element(count.begin(), count.end()) * cells.front().height;
 }
 
+std::optional<HeldOutGain> hold_out(const Problem& problem, const Compared& compared, const NullModel& null,
+                                    const CurveEmulator& emulator, const Options& options) {
+  const double correlation =
+      std::max(compared.measurement.length, compared.numerical ? compared.numerical->target.length : 0.0);
+  const double length = std::max(std::min(options.held_out_length, 0.25 * shortest_sounding(compared.cells)),
+                                 3.0 * correlation);
+  const auto blocks = depth_blocks(compared.cells, length);
+  if (blocks.size() < 2) return std::nullopt;
+  const Prediction with = predict_mechanism(null, emulator, problem.recorded, blocks, options.grid);
+  return held_out_gain(problem.recorded, predict_null(null, problem.recorded, blocks), with,
+                       static_cast<int>(std::ceil(length / compared.cells.front().height)), options.seed + 2);
+}
+
 std::vector<PriorVariation> vary(const Problem& problem, const NullModel& null,
-                                 const std::vector<CurveEmulator>& emulators, const VectorXd& log_evidence,
-                                 const VectorXd& prior, const Options& options, const Diagnosis& diagnosis) {
+                                 const std::vector<CurveEmulator>& emulators, const Verdict& verdict,
+                                 const Options& options) {
   std::vector<PriorVariation> variations;
-  const auto add = [&](const char* what, const VectorXd& evidence) {
-    const std::size_t winner = winner_of(probabilities(evidence, prior), options);
-    variations.push_back({what, diagnosis.hypotheses[winner].name, winner != diagnosis.winner});
+  const auto add = [&](const char* what, const std::vector<Hypothesis>& hypotheses) {
+    const Explanation winner = winner_of(hypotheses, options);
+    variations.push_back({what, verdict.of(winner).name, winner != verdict.winner});
+  };
+  const auto weighed = [&](const NullModel& other_null, const Options& other_options) {
+    std::vector<Hypothesis> hypotheses = verdict.hypotheses;
+    weigh(problem, other_null, emulators, other_options, hypotheses);
+    return hypotheses;
   };
   for (const double width : {0.5, 2.0})
     add(width < 1.0 ? "parameter ranges x 1/2" : "parameter ranges x 2",
-        weigh(problem, null_model(null.parameters.widened(width), null.sigma), emulators, options)
-            .log_evidence);
+        weighed(null_model(null.parameters.widened(width), null.sigma), options));
   Options half = options;
   half.grid.strength_limit = 0.5 * options.grid.strength_limit;
-  add("strength ranges x 1/2", weigh(problem, null, emulators, half).log_evidence);
+  add("strength ranges x 1/2", weighed(null, half));
   // Beyond the runs the likelihood is taken as nil: the wider prior only costs.
-  VectorXd diluted = log_evidence;
-  for (std::size_t k = 0; k < emulators.size(); ++k)
-    if (emulators[k].vanishes_at_zero()) diluted(static_cast<Index>(k)) -= std::log(2.0);
+  std::vector<Hypothesis> diluted = verdict.hypotheses;
+  for (Hypothesis& hypothesis : diluted)
+    if (hypothesis.explanation.is_mechanism() &&
+        emulators[hypothesis.explanation.mechanism()].vanishes_at_zero())
+      hypothesis.log_evidence -= std::log(2.0);
+  set_probabilities(diluted);
   add("strength ranges x 2", diluted);
   return variations;
 }
@@ -186,18 +217,17 @@ std::vector<PriorVariation> vary(const Problem& problem, const NullModel& null,
 }  // namespace
 
 Prepared prepare(const Problem& given, const Options& options) {
-  std::vector<Index> rows;
-  Problem problem = complete(given, rows);
-  const NoiseModel measurement = measurement_noise(problem, options);
-  std::optional<ShrunkCovariance> numerical;
-  if (problem.repeats.cols() > 0) numerical = covariance_of_repeats(problem.cells, problem.repeats);
+  Compared compared;
+  Problem problem = complete(given, compared.rows);
+  compared.cells = problem.cells;
+  compared.measurement = measurement_noise(problem, options);
+  if (problem.repeats.cols() > 0) compared.numerical = covariance_of_repeats(problem.cells, problem.repeats);
   ResponseSurface surface(problem.baseline, problem.parameters, problem.joint);
-  MatrixXd sigma = noise(problem, measurement, numerical, surface);
+  MatrixXd sigma = noise(problem, compared, surface);
   NullModel null = null_model(std::move(surface), std::move(sigma));
   std::vector<CurveEmulator> emulators;
   for (const MechanismEffect& effect : problem.mechanisms) emulators.emplace_back(effect);
-  return {std::move(problem),   std::move(rows), measurement,
-          std::move(numerical), std::move(null), std::move(emulators)};
+  return {std::move(problem), std::move(compared), std::move(null), std::move(emulators)};
 }
 
 Diagnosis diagnose(const Problem& given, const Options& options) {
@@ -205,86 +235,57 @@ Diagnosis diagnose(const Problem& given, const Options& options) {
   const Problem& problem = prepared.problem;
   const NullModel& null = prepared.null;
   const std::vector<CurveEmulator>& emulators = prepared.emulators;
+  const std::vector<Cell>& cells = problem.cells;
   Diagnosis d;
-  d.rows = prepared.rows;
-  d.cells = problem.cells;
-  d.measurement = prepared.measurement;
-  d.numerical = prepared.numerical;
+  d.compared = prepared.compared;
 
   // Null: what scatter and the soil's parameters can do.
   const Whitener M(null.covariance), noise_alone(null.sigma);
   const VectorXd residual = problem.recorded - null.mean;
   const MatrixXd draws = draw_null(null, options.bootstraps, options.seed);
-  d.recalibrated = recalibrate(null.parameters, problem.recorded, noise_alone);
+  d.null.recalibrated = recalibrate(null.parameters, problem.recorded, noise_alone);
+  d.null.check = check_null(cells, M, residual, draws, options.locate.least_cells);
 
   // Locate.
-  d.location = locate(d.cells, residual, M, draws, d.recalibrated.curve, options.locate);
+  d.location = locate(cells, residual, M, draws, d.null.recalibrated.curve, options.locate);
 
   // Name.
-  Weighing weighing = weigh(problem, null, emulators, options);
-  const VectorXd prior = prior_of(emulators.size(), options);
-  const VectorXd probability = probabilities(weighing.log_evidence, prior);
-  for (Index k = 0; k < prior.size(); ++k) {
-    const auto mechanisms = static_cast<Index>(emulators.size());
-    const std::string name = k < mechanisms    ? emulators[static_cast<std::size_t>(k)].name()
-                             : k == mechanisms ? nothing_is_missing
-                                               : none_of_these;
-    d.hypotheses.push_back({name, prior(k), weighing.log_evidence(k), probability(k)});
-  }
-  d.mechanisms = std::move(weighing.mechanisms);
-  d.pairs = best_pairs(problem, emulators, null, weighing.log_evidence, options);
-  d.winner = winner_of(probability, options);
+  Verdict& verdict = d.verdict;
+  verdict.hypotheses = hypotheses_of(emulators, options);
+  const std::vector<MechanismEvidence> evidence =
+      weigh(problem, null, emulators, options, verdict.hypotheses);
+  verdict.winner = winner_of(verdict.hypotheses, options);
+  d.pairs = best_pairs(problem, emulators, null, evidence, options);
 
   // Gate.
-  const std::size_t nothing = emulators.size(), unknown = nothing + 1;
-  d.null_check = check_null(d.cells, M, residual, draws, options.locate.least_cells);
-  if (d.winner == nothing) d.gate = d.null_check;
-  if (d.winner < nothing)
-    d.gate = check_mechanism(d.cells, null.covariance, emulators[d.winner], d.mechanisms[d.winner], residual,
-                             draws, options.seed + 1, options.locate.least_cells);
-  d.answer = d.gate && d.gate->p < options.gate ? unknown : d.winner;
+  if (verdict.winner.is_nothing()) verdict.gate = d.null.check;
+  if (verdict.winner.is_mechanism()) {
+    const std::size_t k = verdict.winner.mechanism();
+    verdict.gate = check_mechanism(cells, null.covariance, emulators[k], evidence[k], residual, draws,
+                                   options.seed + 1, options.locate.least_cells);
+  }
+  const bool failed = verdict.gate && verdict.gate->p < options.gate;
+  verdict.answer = failed ? Explanation::unknown() : verdict.winner;
 
   // Isolate.
   std::vector<VectorXd> phi;
-  for (const MechanismEvidence& m : d.mechanisms) phi.push_back(m.mode);
-  const Observation present{"this recording", null.covariance, emulators};
-  d.isolability = isolability(present, phi);
-  d.set = answers(d, options);
+  for (const MechanismEvidence& mechanism : evidence) phi.push_back(mechanism.mode);
+  d.isolability = isolability({"this recording", null.covariance, emulators}, phi);
+  verdict.set = answers(verdict, d.isolability, options);
 
   // Show it on what was held out.
-  if (nothing > 0) {
-    Index best = 0;
-    probability.head(static_cast<Index>(nothing)).maxCoeff(&best);
-    d.best = static_cast<std::size_t>(best);
-    const CurveEmulator& emulator = emulators[*d.best];
-    for (std::size_t k = 0; k < nothing; ++k) {
-      const VectorXd rest = problem.recorded - emulators[k].mean(phi[k]);
-      d.with.push_back(recalibrate(null.parameters, rest, noise_alone));
-      d.with.back().curve += problem.recorded - rest;
-    }
-    d.with_best = d.with[*d.best];
-    const double correlation = std::max(d.measurement.length, d.numerical ? d.numerical->target.length : 0.0);
-    const double length =
-        std::max(std::min(options.held_out_length, 0.25 * shortest_sounding(d.cells)), 3.0 * correlation);
-    const auto blocks = depth_blocks(d.cells, length);
-    if (blocks.size() > 1) {
-      const Prediction with = predict_mechanism(null, emulator, problem.recorded, blocks, options.grid);
-      d.held_out =
-          held_out_gain(problem.recorded, predict_null(null, problem.recorded, blocks), with,
-                        static_cast<int>(std::ceil(length / d.cells.front().height)), options.seed + 2);
-    }
+  for (std::size_t k = 0; k < emulators.size(); ++k) {
+    const VectorXd rest = problem.recorded - emulators[k].mean(phi[k]);
+    d.mechanisms.push_back({evidence[k], recalibrate(null.parameters, rest, noise_alone)});
+    d.mechanisms.back().recalibrated.curve += problem.recorded - rest;
+  }
+  if (!emulators.empty()) {
+    const std::size_t best = verdict.mechanisms_by_probability().front();
+    d.best = {best, hold_out(problem, d.compared, null, emulators[best], options)};
   }
 
-  if (options.sensitivity)
-    d.variations = vary(problem, null, emulators, weighing.log_evidence, prior, options, d);
+  if (options.sensitivity) d.variations = vary(problem, null, emulators, verdict, options);
   return d;
-}
-
-std::vector<std::size_t> mechanisms_in_set(const Diagnosis& diagnosis) {
-  std::vector<std::size_t> mechanisms;
-  for (const std::size_t k : diagnosis.set)
-    if (k < diagnosis.mechanisms.size()) mechanisms.push_back(k);
-  return mechanisms;
 }
 
 Observation observation_of(const std::string& name, const Problem& problem, const Options& options) {
@@ -294,10 +295,10 @@ Observation observation_of(const std::string& name, const Problem& problem, cons
 
 std::vector<NextMeasurement> rank_next_measurements(const Observation& present, const Diagnosis& diagnosis,
                                                     const std::vector<Observation>& candidates) {
-  const std::vector<std::size_t> set = mechanisms_in_set(diagnosis);
+  const std::vector<std::size_t> set = diagnosis.verdict.mechanisms_in_set();
   if (set.size() < 2) return {};
   std::vector<VectorXd> phi;
-  for (const MechanismEvidence& mechanism : diagnosis.mechanisms) phi.push_back(mechanism.mode);
+  for (const MechanismFit& mechanism : diagnosis.mechanisms) phi.push_back(mechanism.evidence.mode);
   return next_measurements(present, candidates, set, phi);
 }
 

@@ -3,11 +3,7 @@
 
 #include <optional>
 
-#include "diagnosis/covariance.hpp"
-#include "diagnosis/held_out.hpp"
-#include "diagnosis/isolability.hpp"
-#include "diagnosis/locate.hpp"
-#include "diagnosis/predictive_check.hpp"
+#include "diagnosis/diagnosis.hpp"
 #include "diagnosis/unknown.hpp"
 
 namespace cpt::diagnosis {
@@ -44,54 +40,10 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
-/// Labels of the answers: mechanism k is k, then these two.
-inline constexpr const char* nothing_is_missing = "nothing is missing";
-inline constexpr const char* none_of_these = "none of these";
-
-struct Hypothesis {
-  std::string name;
-  double prior, log_evidence, probability;
-};
-
-/// The answer with other prior widths.
-struct PriorVariation {
-  std::string what;
-  std::string answer;
-  bool changed;
-};
-
-/// All that was found. Vectors of cells refer to `cells`, the complete rows of the problem's.
-struct Diagnosis {
-  std::vector<Index> rows;  ///< of the problem
-  std::vector<Cell> cells;
-  NoiseModel measurement;
-  std::optional<ShrunkCovariance> numerical;
-  Recalibration recalibrated;  ///< the null at its best
-  PredictiveCheck null_check;
-  Location location;
-  std::vector<Hypothesis> hypotheses;  ///< the mechanisms, nothing is missing, none of these
-  std::vector<MechanismEvidence> mechanisms;
-  std::vector<PairEvidence> pairs;      ///< the most probable first
-  std::size_t winner;                   ///< of the hypotheses, before the gate
-  std::optional<PredictiveCheck> gate;  ///< of the winner, unless that is "none of these"
-  std::size_t answer;                   ///< of the hypotheses, after the gate
-  std::vector<std::size_t>
-      set;               ///< hypotheses that the recording does not tell apart, and `Options::credible`
-  MatrixXd isolability;  // D_ij; the last column D_i0
-  std::vector<NextMeasurement> next;    ///< filled in by what rank_next_measurements says
-  std::optional<std::size_t> best;      ///< the most probable mechanism, which the rest is about
-  Recalibration with_best;              ///< the null recalibrated beside it; curve includes it
-  std::vector<Recalibration> with;      ///< the same for every mechanism
-  std::optional<HeldOutGain> held_out;  ///< of it; none if one block would be all
-  std::vector<PriorVariation> variations;
-};
-
 /// What the steps work on: the problem on its complete cells, the null model and the mechanisms' emulators.
 struct Prepared {
   Problem problem;
-  std::vector<Index> rows;  ///< of the problem as given
-  NoiseModel measurement;
-  std::optional<ShrunkCovariance> numerical;
+  Compared compared;  ///< rows of the problem as given
   NullModel null;
   std::vector<CurveEmulator> emulators;
 };
@@ -102,9 +54,6 @@ struct Prepared {
 /// Throws std::invalid_argument if fewer than 10 cells are complete, shapes disagree or a covariance is not
 /// positive definite. The same problem and options give the same bits.
 [[nodiscard]] Diagnosis diagnose(const Problem& problem, const Options& options = {});
-
-/// The mechanisms of the answer's set.
-[[nodiscard]] std::vector<std::size_t> mechanisms_in_set(const Diagnosis& diagnosis);
 
 /// The recording at hand, to be held against what could be measured next.
 [[nodiscard]] Observation observation_of(const std::string& name, const Problem& problem,

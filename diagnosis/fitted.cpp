@@ -29,12 +29,10 @@ std::vector<Change> changes_at(const VectorXd& place, const Problem& problem,
 std::string fitted_point(const std::string& mechanism) { return "fitted " + mechanism; }
 
 std::vector<std::size_t> finalists(const Diagnosis& diagnosis, int most) {
-  std::vector<std::size_t> chosen;
-  const std::size_t nothing = diagnosis.mechanisms.size();
-  if (diagnosis.answer == nothing) return chosen;
-  for (const std::size_t k : diagnosis.set)
-    if (k < nothing && static_cast<int>(chosen.size()) < most) chosen.push_back(k);
-  if (chosen.empty() && diagnosis.best && most > 0) chosen.push_back(*diagnosis.best);
+  if (diagnosis.verdict.answer.is_nothing()) return {};
+  std::vector<std::size_t> chosen = diagnosis.verdict.mechanisms_in_set();
+  if (chosen.empty() && diagnosis.best) chosen.push_back(diagnosis.best->mechanism);
+  chosen.resize(std::min(chosen.size(), static_cast<std::size_t>(most)));
   return chosen;
 }
 
@@ -51,13 +49,15 @@ parameters::Study fitted_study(const Request& request, const SoundingStudy& soun
   study.points.clear();
   study.design = {};
   const auto soil_at = [&](const VectorXd& place) { return changes_at(place, assembled.problem, study); };
-  if (request.confirm > 0 && !soil_at(diagnosis.recalibrated.place).empty())
-    study.points.push_back({recalibrated_point, soil_at(diagnosis.recalibrated.place)});
+  const VectorXd& refitted = diagnosis.null.recalibrated.place;
+  if (request.confirm > 0 && !soil_at(refitted).empty())
+    study.points.push_back({recalibrated_point, soil_at(refitted)});
   for (const std::size_t k : finalists(diagnosis, request.confirm)) {
     const MechanismDesign& design = assembled.mechanisms[k];
+    const MechanismFit& fit = diagnosis.mechanisms[k];
     parameters::DesignPoint fitted{fitted_point(std::string(design.mechanism->name)),
-                                   soil_at(diagnosis.with[k].place)};
-    for (const Change& change : mechanism_changes(design, diagnosis.mechanisms[k].mode))
+                                   soil_at(fit.recalibrated.place)};
+    for (const Change& change : mechanism_changes(design, fit.evidence.mode))
       if (std::ranges::none_of(request.soundings[index].changes, [&](const Change& known) {
             return known.quantity->name == change.quantity->name;
           }))

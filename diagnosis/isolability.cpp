@@ -85,17 +85,18 @@ double strength(const std::vector<const Observation*>& observations, std::size_t
   return std::sqrt(squares);
 }
 
-MatrixXd isolability(const Observation& observation, const std::vector<VectorXd>& phi) {
+Isolability isolability(const Observation& observation, const std::vector<VectorXd>& phi) {
   const std::size_t k = observation.mechanisms.size();
-  MatrixXd distance = MatrixXd::Zero(static_cast<Index>(k), static_cast<Index>(k + 1));
+  const auto n = static_cast<Index>(k);
+  Isolability all{MatrixXd::Zero(n, n), VectorXd(n)};
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t j = 0; j < k; ++j)
       if (i != j)
-        distance(static_cast<Index>(i), static_cast<Index>(j)) =
+        all.between(static_cast<Index>(i), static_cast<Index>(j)) =
             imitate({&observation}, i, phi[i], j).distance;
-    distance(static_cast<Index>(i), static_cast<Index>(k)) = strength({&observation}, i, phi[i]);
+    all.strength(static_cast<Index>(i)) = strength({&observation}, i, phi[i]);
   }
-  return distance;
+  return all;
 }
 
 std::vector<NextMeasurement> next_measurements(const Observation& present,

@@ -34,9 +34,13 @@ struct Imitation {
 [[nodiscard]] double strength(const std::vector<const Observation*>& observations, std::size_t i,
                               const VectorXd& phi_i);
 
-/// D_ij for all mechanisms at their own phi (k x (k + 1)); row i is the truth, column j the imitator, the
-/// last column D_i0.
-[[nodiscard]] MatrixXd isolability(const Observation& observation, const std::vector<VectorXd>& phi);
+/// Of all k mechanisms at their own phi [standard deviations].
+struct Isolability {
+  MatrixXd between;   // k x k, D_ij; row i is the truth, column j the imitator
+  VectorXd strength;  // k, D_i0
+};
+
+[[nodiscard]] Isolability isolability(const Observation& observation, const std::vector<VectorXd>& phi);
 
 /// The next measurement that tells a set of mechanisms apart best.
 struct NextMeasurement {

@@ -58,8 +58,8 @@ page::DiagnosisInput diagnosis_input(const Request& request, const std::vector<S
   input.title = request.title;
   input.options = options;
   input.diagnosis = diagnosis;
-  input.recorded = assembled.problem.recorded(diagnosis.rows);
-  input.baseline = assembled.problem.baseline(diagnosis.rows);
+  input.recorded = assembled.problem.recorded(diagnosis.compared.rows);
+  input.baseline = assembled.problem.baseline(diagnosis.compared.rows);
   input.noise = {request.measurement > 0.0, static_cast<int>(assembled.problem.repeats.cols()),
                  assembled.problem.numerical_shares, static_cast<int>(assembled.problem.joint.curves.cols())};
   for (const MechanismDesign& design : assembled.mechanisms) input.mechanisms.push_back(facts_of(design));
@@ -82,7 +82,9 @@ page::DiagnosisInput diagnosis_input(const Request& request, const std::vector<S
       sounding.recorded.q_c.push_back(reading.q_c);
     }
     sounding.baseline = curve_of(data.campaign, 1);
-    if (diagnosis.best) sounding.solver = fitted_curve(fitted[s], diagnosis.hypotheses[*diagnosis.best].name);
+    if (diagnosis.best)
+      sounding.solver =
+          fitted_curve(fitted[s], diagnosis.mechanisms[diagnosis.best->mechanism].evidence.name);
     input.soundings.push_back(std::move(sounding));
     provenance.files.push_back({"recording", data.request.recording.filename().string(), ""});
     for (const results::RealizationRow& row : data.campaign.realizations) {

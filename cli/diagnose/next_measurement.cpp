@@ -25,12 +25,13 @@ std::vector<NextMeasurement> next_measurements_of(StudyRunner& runner, const Req
                                                   const std::vector<SoundingData>& soundings,
                                                   const Assembled& assembled, const Diagnosis& diagnosis,
                                                   std::vector<std::string>& remarks) {
-  if (mechanisms_in_set(diagnosis).size() < 2) return {};
+  if (diagnosis.verdict.mechanisms_in_set().size() < 2) return {};
   std::vector<Observation> candidates;
   const auto add = [&](const std::string& name, const std::vector<SoundingData>& pushes,
                        const solver::Channel& measured) {
     try {
-      const Assembled made = assemble_unmeasured(asked.request, pushes, measured, diagnosis.measurement);
+      const Assembled made =
+          assemble_unmeasured(asked.request, pushes, measured, diagnosis.compared.measurement);
       if (same_mechanisms(made, assembled))
         candidates.push_back(observation_of(name, made.problem));
       else

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "drawing/text.hpp"
 #include "reports/diagnosis/sentences.hpp"
 #include "reports/diagnosis/words.hpp"
@@ -18,19 +16,16 @@ std::string joined(const std::vector<std::string>& sentences) {
   return text;
 }
 
-bool in_set(const DiagnosisInput& input, std::size_t k) {
-  return std::ranges::find(input.diagnosis.set, k) != input.diagnosis.set.end();
-}
-
-std::string chance(const DiagnosisInput& input, std::size_t k) {
-  return "probability " + probability(input.diagnosis.hypotheses[k].probability);
+std::string chance(const DiagnosisInput& input, Explanation explanation) {
+  return "probability " + probability(input.diagnosis.verdict.of(explanation).probability);
 }
 
 // "A looser lens cannot (probability 0.01)." `can` and `cannot` go with every title, one thing or several.
 std::string runner_up(const DiagnosisInput& input) {
-  for (const std::size_t k : by_probability(input, input.mechanisms.size())) {
-    if (k == input.diagnosis.answer || in_set(input, k)) continue;
-    const bool out = input.diagnosis.hypotheses[k].probability < 0.05;
+  const diagnosis::Verdict& verdict = input.diagnosis.verdict;
+  for (const std::size_t k : verdict.mechanisms_by_probability()) {
+    if (verdict.answer == k || verdict.in_set(k)) continue;
+    const bool out = verdict.of(k).probability < 0.05;
     return fmt::format("{} {} ({}).", capitalized(title_of(input, k)),
                        out ? "cannot" : "would be less likely", chance(input, k));
   }
@@ -39,22 +34,22 @@ std::string runner_up(const DiagnosisInput& input) {
 
 // What besides mechanisms the set still holds.
 std::string also_possible(const DiagnosisInput& input) {
-  const std::size_t nothing = input.mechanisms.size(), unknown = nothing + 1;
-  const diagnosis::Diagnosis& d = input.diagnosis;
+  const diagnosis::Verdict& verdict = input.diagnosis.verdict;
   std::string text;
-  if (in_set(input, unknown))
-    text = fmt::format("Something outside the catalogue stays possible ({}).", chance(input, unknown));
-  if (in_set(input, nothing) && d.answer < nothing)
+  if (verdict.in_set(Explanation::unknown()))
+    text = fmt::format("Something outside the catalogue stays possible ({}).",
+                       chance(input, Explanation::unknown()));
+  if (verdict.in_set(Explanation::nothing()) && verdict.answer.is_mechanism())
     text += fmt::format(
         "{}Its effect stands only {} standard deviations out of what the study's parameters and the noise "
         "can do.",
         text.empty() ? "" : " ",
-        brief(d.isolability(static_cast<Index>(d.answer), static_cast<Index>(nothing))));
+        brief(input.diagnosis.isolability.strength(static_cast<Index>(verdict.answer.mechanism()))));
   return text;
 }
 
 Answer named(const DiagnosisInput& input) {
-  const std::size_t k = input.diagnosis.answer;
+  const std::size_t k = input.diagnosis.verdict.answer.mechanism();
   const std::string title = capitalized(title_of(input, k));
   return {AnswerKind::named,
           title + " can explain what the simulation lacks.",
@@ -68,7 +63,7 @@ Answer named(const DiagnosisInput& input) {
 
 Answer indistinguishable(const DiagnosisInput& input) {
   std::vector<std::string> titles, fits;
-  for (const std::size_t k : diagnosis::mechanisms_in_set(input.diagnosis)) {
+  for (const std::size_t k : input.diagnosis.verdict.mechanisms_in_set()) {
     titles.push_back(title_of(input, k));
     fits.push_back(fmt::format("{} ({}): {}.", capitalized(title_of(input, k)), chance(input, k),
                                fitted_parameters(input, k)));
@@ -87,16 +82,19 @@ Answer indistinguishable(const DiagnosisInput& input) {
 
 Answer nothing_missing(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
-  const bool sure = d.hypotheses[d.answer].probability >= 0.5;
+  const diagnosis::Hypothesis& nothing = d.verdict.of(Explanation::nothing());
+  const bool sure = nothing.probability >= 0.5;
   const std::string weight =
-      sure ? fmt::format("Nothing needs to be added to the simulation ({}).", chance(input, d.answer))
+      sure ? fmt::format("Nothing needs to be added to the simulation ({}).",
+                         chance(input, nothing.explanation))
            : fmt::format(
                  "There is no firm sign that physics is missing: the probability that nothing is, {}, would "
                  "have to be below {}.",
-                 probability(d.hypotheses[d.answer].probability), brief(input.options.alarm));
-  const std::string next = d.best ? fmt::format("Of the catalogued effects, {} would come first ({}).",
-                                                title_of(input, *d.best), chance(input, *d.best))
-                                  : "";
+                 probability(nothing.probability), brief(input.options.alarm));
+  const std::string next =
+      d.best ? fmt::format("Of the catalogued effects, {} would come first ({}).",
+                           title_of(input, d.best->mechanism), chance(input, d.best->mechanism))
+             : "";
   return {AnswerKind::nothing_missing,
           sure ? "Nothing is missing: the study's parameters within their bounds, and noise, are enough."
                : "No firm sign that anything is missing.",
@@ -110,10 +108,10 @@ Answer none_of_these(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
   std::string what =
       fmt::format("None of the {} catalogued effects accounts for it: that it is something else has {}",
-                  input.mechanisms.size(), chance(input, d.answer));
+                  input.mechanisms.size(), chance(input, d.verdict.answer));
   if (d.best)
-    what += fmt::format(", the best of the catalogue, {}, has {}", title_of(input, *d.best),
-                        probability(d.hypotheses[*d.best].probability));
+    what += fmt::format(", the best of the catalogue, {}, has {}", title_of(input, d.best->mechanism),
+                        probability(d.verdict.of(d.best->mechanism).probability));
   return {AnswerKind::none_of_these,
           "Something is missing that is not in the catalogue.",
           {},
@@ -122,20 +120,21 @@ Answer none_of_these(const DiagnosisInput& input) {
 }
 
 Answer gate_failed(const DiagnosisInput& input) {
-  const diagnosis::Diagnosis& d = input.diagnosis;
-  const bool nothing = d.winner == input.mechanisms.size();
-  const std::string winner = title_of(input, d.winner);
+  const diagnosis::Verdict& verdict = input.diagnosis.verdict;
+  const bool nothing = verdict.winner.is_nothing();
+  const std::string winner = title_of(input, verdict.winner);
   const std::string what =
-      nothing ? fmt::format("No effect of the catalogue stands out, and “{}” is left ({}).", winner,
-                            chance(input, d.winner))
-              : fmt::format("{} is the most probable of the catalogue ({}), with {}.", capitalized(winner),
-                            chance(input, d.winner), fitted_parameters(input, d.winner));
+      nothing
+          ? fmt::format("No effect of the catalogue stands out, and “{}” is left ({}).", winner,
+                        chance(input, verdict.winner))
+          : fmt::format("{} is the most probable of the catalogue ({}), with {}.", capitalized(winner),
+                        chance(input, verdict.winner), fitted_parameters(input, verdict.winner.mechanism()));
   return {AnswerKind::gate_failed,
           nothing ? "The study's parameters are not enough, and no effect of the catalogue stands out."
                   : "No effect of the catalogue passes the check: something else is missing.",
           {},
           {joined({where_it_differs(input), what, check_passed(input),
-                   fmt::format("Therefore the answer is “{}”.", title_of(input, d.answer))}),
+                   fmt::format("Therefore the answer is “{}”.", title_of(input, verdict.answer))}),
            best_pair(input), joined({held_out(input), solver_confirms(input)}), prior_widths(input)}};
 }
 
@@ -148,13 +147,12 @@ const char* name_of(AnswerKind kind) {
 }
 
 Answer answer_of(const DiagnosisInput& input) {
-  const std::size_t mechanisms = input.mechanisms.size();
-  const diagnosis::Diagnosis& d = input.diagnosis;
-  Answer answer = d.answer > mechanisms && d.winner != d.answer              ? gate_failed(input)
-                  : d.answer > mechanisms                                    ? none_of_these(input)
-                  : d.answer == mechanisms                                   ? nothing_missing(input)
-                  : diagnosis::mechanisms_in_set(input.diagnosis).size() > 1 ? indistinguishable(input)
-                                                                             : named(input);
+  const diagnosis::Verdict& verdict = input.diagnosis.verdict;
+  Answer answer = verdict.gate_failed()                    ? gate_failed(input)
+                  : verdict.answer.is_unknown()            ? none_of_these(input)
+                  : verdict.answer.is_nothing()            ? nothing_missing(input)
+                  : verdict.mechanisms_in_set().size() > 1 ? indistinguishable(input)
+                                                           : named(input);
   answer.reservations = reservations(input);
   std::erase(answer.paragraphs, "");
   return answer;

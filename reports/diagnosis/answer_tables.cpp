@@ -12,16 +12,16 @@ namespace cpt::reports::diagnosed {
 using drawing::decimals, drawing::number, drawing::table_head, drawing::table_line;
 
 std::string hypotheses_table(const DiagnosisInput& input) {
-  const auto& hypotheses = input.diagnosis.hypotheses;
+  const diagnosis::Verdict& verdict = input.diagnosis.verdict;
   std::string text = "### Hypotheses\n\n" + table_head({"hypothesis", "prior probability (-)",
                                                         "log evidence (-)", "probability (-)", ""});
-  for (const std::size_t k : by_probability(input, hypotheses.size())) {
-    std::string note = k == input.diagnosis.answer ? "the answer" : "";
-    for (const std::size_t in : input.diagnosis.set)
-      if (in == k && note.empty()) note = "in the set of answers";
-    text +=
-        table_line({markdown(title_of(input, k)), number(hypotheses[k].prior, 2),
-                    decimals(hypotheses[k].log_evidence, 2), probability(hypotheses[k].probability), note});
+  for (const Explanation explanation : verdict.by_probability()) {
+    const diagnosis::Hypothesis& h = verdict.of(explanation);
+    text += table_line({markdown(title_of(input, explanation)), number(h.prior, 2),
+                        decimals(h.log_evidence, 2), probability(h.probability),
+                        explanation == verdict.answer ? "the answer"
+                        : verdict.in_set(explanation) ? "in the set of answers"
+                                                      : ""});
   }
   return text + "\n";
 }
@@ -56,9 +56,9 @@ std::string fitted_parameters_table(const DiagnosisInput& input) {
   std::string text = "### Effects of the catalogue and their fitted parameters\n\n" +
                      table_head({"effect", "what to expect", "parameter", "range looked at",
                                  "mean ± standard deviation", "90 % interval", "best"});
-  for (const std::size_t k : by_probability(input, input.mechanisms.size())) {
+  for (const std::size_t k : input.diagnosis.verdict.mechanisms_by_probability()) {
     const MechanismFacts& facts = input.mechanisms[k];
-    const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[k];
+    const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[k].evidence;
     for (std::size_t j = 0; j < facts.parameters.size(); ++j) {
       const MechanismParameterFacts& p = facts.parameters[j];
       const auto i = static_cast<Index>(j);
@@ -81,15 +81,15 @@ std::string before_and_after_table(const DiagnosisInput& input) {
   const auto error = [](double ln) { return percent(percent_of(ln)); };
   std::string text = "### Before and after\n\n" + table_head({"curve", "RMSE of q<sub>c</sub>"});
   text += table_line({"simulation, baseline", error(rmse(input.recorded, input.baseline))});
-  text += table_line({"study's parameters refitted", error(d.recalibrated.rmse)});
+  text += table_line({"study's parameters refitted", error(d.null.recalibrated.rmse)});
   if (d.best) {
-    const std::string with = "with " + markdown(title_of(input, *d.best));
-    text += table_line({with + " (emulator)", error(d.with_best.rmse)});
+    const std::string with = "with " + markdown(title_of(input, d.best->mechanism));
+    text += table_line({with + " (emulator)", error(d.with_best().rmse)});
     if (const auto solver = solver_in_cells(input))
       text += table_line({with + " (full solver)", error(rmse(input.recorded, *solver))});
   }
-  if (d.held_out) {
-    const diagnosis::HeldOutGain& gain = *d.held_out;
+  if (d.best && d.best->held_out) {
+    const diagnosis::HeldOutGain& gain = *d.best->held_out;
     text += "\nOn depths held out of the fit:\n\n" +
             table_head({"", "study's parameters alone", "with the best effect"}) +
             table_line({"RMSE of q<sub>c</sub>", error(gain.rmse_null), error(gain.rmse)}) +
@@ -102,7 +102,7 @@ std::string before_and_after_table(const DiagnosisInput& input) {
 }
 
 std::string checks_table(const DiagnosisInput& input) {
-  const diagnosis::Diagnosis& d = input.diagnosis;
+  const diagnosis::Verdict& verdict = input.diagnosis.verdict;
   std::string text =
       fmt::format("### Predictive checks\n\nA hypothesis whose p is below {} is not the answer.\n\n",
                   brief(input.options.gate)) +
@@ -112,8 +112,8 @@ std::string checks_table(const DiagnosisInput& input) {
     text += table_line({markdown(name), decimals(c.chi_square, 1), decimals(c.chi_square_p, 3),
                         decimals(c.scan, 1), decimals(c.scan_p, 3), decimals(c.p, 3)});
   };
-  line(diagnosis::nothing_is_missing, d.null_check);
-  if (d.gate && d.winner < input.mechanisms.size()) line(title_of(input, d.winner), *d.gate);
+  line(diagnosis::nothing_is_missing, input.diagnosis.null.check);
+  if (verdict.gate && verdict.winner.is_mechanism()) line(title_of(input, verdict.winner), *verdict.gate);
   return text + "\n";
 }
 

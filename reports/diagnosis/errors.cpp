@@ -13,8 +13,8 @@ VectorXd percent_above(const VectorXd& recorded, const VectorXd& simulated) {
 }
 
 diagnosis::Departure departure(const DiagnosisInput& input, const diagnosis::Mismatch& interval) {
-  return diagnosis::departure_on(input.diagnosis.cells, input.recorded, input.diagnosis.recalibrated.curve,
-                                 interval);
+  return diagnosis::departure_on(input.diagnosis.compared.cells, input.recorded,
+                                 input.diagnosis.null.recalibrated.curve, interval);
 }
 
 double rmse(const VectorXd& a, const VectorXd& b) {
@@ -34,7 +34,7 @@ std::optional<VectorXd> solver_in_cells(const DiagnosisInput& input) {
     return std::nullopt;
   VectorXd curve = VectorXd::Constant(input.recorded.size(), std::numeric_limits<double>::quiet_NaN());
   for (Index i = 0; i < curve.size(); ++i) {
-    const diagnosis::Cell& cell = input.diagnosis.cells[static_cast<std::size_t>(i)];
+    const diagnosis::Cell& cell = input.diagnosis.compared.cells[static_cast<std::size_t>(i)];
     const Sounding& sounding = input.soundings[static_cast<std::size_t>(cell.sounding)];
     if (sounding.solver)
       curve(i) = diagnosis::log_cell_means({cell.depth - 0.5 * cell.height, cell.height, 1},
@@ -44,7 +44,7 @@ std::optional<VectorXd> solver_in_cells(const DiagnosisInput& input) {
 }
 
 VectorXd noise_deviation(const DiagnosisInput& input) {
-  const diagnosis::Diagnosis& d = input.diagnosis;
+  const diagnosis::Compared& d = input.diagnosis.compared;
   const double measurement = d.measurement.deviation * d.measurement.deviation;
   VectorXd variance = VectorXd::Constant(input.recorded.size(), measurement);
   if (d.numerical && d.numerical->covariance.rows() == variance.size())

@@ -38,13 +38,11 @@ std::string study_parameters_table(const DiagnosisInput& input) {
   if (input.parameters.empty()) return "";
   const diagnosis::Diagnosis& d = input.diagnosis;
   const auto parameters = static_cast<Index>(input.parameters.size());
-  const bool with =
-      d.best && d.with_best.place.size() == parameters && d.with_best.deviation.size() == parameters;
   std::string text =
       "### Parameters of the study\n\nPlace between the bounds, 0 at the lower and 1 at the upper one, ± "
       "standard deviation, and the value there.\n\n";
   std::vector<std::string> head{"parameter", "bounds", "baseline", "refitted: place", "value"};
-  if (with) head.insert(head.end(), {"with the best effect: place", "value"});
+  if (d.best) head.insert(head.end(), {"with the best effect: place", "value"});
   text += table_head(head);
   for (Index j = 0; j < parameters; ++j) {
     const StudyParameter& p = input.parameters[static_cast<std::size_t>(j)];
@@ -61,15 +59,15 @@ std::string study_parameters_table(const DiagnosisInput& input) {
       cells.push_back(with_deviation(fit.place(j), fit.deviation(j), "-"));
       cells.push_back(value(fit.place(j)));
     };
-    add(d.recalibrated);
-    if (with) add(d.with_best);
+    add(d.null.recalibrated);
+    if (d.best) add(d.with_best());
     text += table_line(cells);
   }
   return text + "\n";
 }
 
 std::string noise_table(const DiagnosisInput& input) {
-  const diagnosis::Diagnosis& d = input.diagnosis;
+  const diagnosis::Compared& d = input.diagnosis.compared;
   std::string text = "### Noise\n\n" + table_head({"part", "value", "from"}) +
                      table_line({"measurement", describe(d.measurement),
                                  input.noise.measurement_given ? "given" : "the recording's high-pass part"});
@@ -96,10 +94,11 @@ std::string provenance_table(const DiagnosisInput& input) {
     text +=
         table_line({markdown(file.what),
                     markdown(file.path) + (file.sha256.empty() ? "" : ", SHA-256 " + markdown(file.sha256))});
-  text += table_line({"solver runs", fmt::format("{}", p.solver_runs)}) +
-          table_line({"wall time", time_text(p.wall_s)}) +
-          table_line({"cells compared", fmt::format("{} of {} mm", input.diagnosis.cells.size(),
-                                                    brief(1e3 * input.diagnosis.cells.front().height))});
+  text +=
+      table_line({"solver runs", fmt::format("{}", p.solver_runs)}) +
+      table_line({"wall time", time_text(p.wall_s)}) +
+      table_line({"cells compared", fmt::format("{} of {} mm", input.diagnosis.compared.cells.size(),
+                                                brief(1e3 * input.diagnosis.compared.cells.front().height))});
   return text + "\n";
 }
 

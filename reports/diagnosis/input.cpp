@@ -1,7 +1,6 @@
 #include "reports/diagnosis/input.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 
 namespace cpt::reports::diagnosed {
@@ -13,56 +12,72 @@ void want(bool good, const std::string& problem) {
 
 void check_mechanisms(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
-  const std::size_t mechanisms = d.mechanisms.size();
-  want(input.mechanisms.size() == mechanisms, "facts of another number of mechanisms than were diagnosed");
-  want(d.hypotheses.size() == mechanisms + 2, "another number of hypotheses than mechanisms and two");
-  want(d.winner < d.hypotheses.size() && d.answer < d.hypotheses.size(), "an answer beyond the hypotheses");
-  for (std::size_t k = 0; k < mechanisms; ++k) {
+  want(input.mechanisms.size() == d.mechanisms.size(),
+       "facts of another number of mechanisms than were diagnosed");
+  for (std::size_t k = 0; k < d.mechanisms.size(); ++k) {
     const MechanismFacts& facts = input.mechanisms[k];
-    want(facts.name == d.mechanisms[k].name && facts.name == d.hypotheses[k].name,
-         "mechanism " + facts.name + " is in another order");
+    const diagnosis::MechanismEvidence& fit = d.mechanisms[k].evidence;
+    want(facts.name == fit.name, "mechanism " + facts.name + " is in another order");
     const auto dimensions = static_cast<Index>(facts.parameters.size());
-    for (const VectorXd* v : {&d.mechanisms[k].mean, &d.mechanisms[k].deviation, &d.mechanisms[k].mode,
-                              &d.mechanisms[k].lower, &d.mechanisms[k].upper})
+    for (const VectorXd* v : {&fit.mean, &fit.deviation, &fit.mode, &fit.lower, &fit.upper})
       want(v->size() == dimensions, "mechanism " + facts.name + " has another number of parameters");
   }
-  const auto k = static_cast<Index>(mechanisms);
-  want(k == 0 || (d.isolability.rows() == k && d.isolability.cols() == k + 1),
+  const auto k = static_cast<Index>(d.mechanisms.size());
+  want(d.isolability.between.rows() == k && d.isolability.between.cols() == k &&
+           d.isolability.strength.size() == k,
        "the isolability matrix has another size");
-  want(std::ranges::all_of(d.set, [&](std::size_t i) { return i < d.hypotheses.size(); }),
-       "the set holds what is no hypothesis");
-  want(!d.best || *d.best < mechanisms, "the best mechanism is none of the catalogue");
+  want(!d.best || d.best->mechanism < d.mechanisms.size(), "the best mechanism is none of the catalogue");
+}
+
+void check_verdict(const DiagnosisInput& input) {
+  const diagnosis::Verdict& verdict = input.diagnosis.verdict;
+  const auto weighed = [&](Explanation explanation) {
+    return std::ranges::count(verdict.hypotheses, explanation, &diagnosis::Hypothesis::explanation) == 1;
+  };
+  want(weighed(Explanation::nothing()) && weighed(Explanation::unknown()),
+       "that nothing is missing, or that none of these is, was not weighed");
+  for (std::size_t k = 0; k < input.mechanisms.size(); ++k)
+    want(weighed(k) && verdict.of(k).name == input.mechanisms[k].name,
+         "mechanism " + input.mechanisms[k].name + " was not weighed");
+  want(weighed(verdict.winner) && weighed(verdict.answer), "an answer beyond the hypotheses");
+  want(std::ranges::all_of(verdict.set, weighed), "the set holds what is no hypothesis");
 }
 
 }  // namespace
 
 void check(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
-  const auto cells = static_cast<Index>(d.cells.size());
+  const std::vector<diagnosis::Cell>& in = d.compared.cells;
+  const auto cells = static_cast<Index>(in.size());
   want(cells > 0 && !input.soundings.empty(), "no cells or no soundings");
-  for (const diagnosis::Cell& cell : d.cells)
+  for (const diagnosis::Cell& cell : in)
     want(cell.sounding >= 0 && cell.sounding < static_cast<int>(input.soundings.size()),
          "a cell of no sounding");
   for (const diagnosis::Mismatch& m : d.location.mismatches)
     want(m.sounding >= -1 && m.sounding < static_cast<int>(input.soundings.size()),
          "an interval of no sounding");
-  want(input.recorded.size() == cells && input.baseline.size() == cells &&
-           d.recalibrated.curve.size() == cells && (!d.best || d.with_best.curve.size() == cells),
-       "curves of another length than the cells");
   const auto parameters = static_cast<Index>(input.parameters.size());
-  want(d.recalibrated.place.size() == parameters && d.recalibrated.deviation.size() == parameters,
-       "another number of study parameters");
+  const auto check_fit = [&](const diagnosis::Recalibration& fit) {
+    want(fit.curve.size() == cells, "curves of another length than the cells");
+    want(fit.place.size() == parameters && fit.deviation.size() == parameters,
+         "another number of study parameters");
+  };
+  want(input.recorded.size() == cells && input.baseline.size() == cells,
+       "curves of another length than the cells");
+  check_fit(d.null.recalibrated);
+  for (const diagnosis::MechanismFit& mechanism : d.mechanisms) check_fit(mechanism.recalibrated);
   for (const Sounding& s : input.soundings)
     want(s.recorded.depth.size() == s.recorded.q_c.size() &&
              s.baseline.depth.size() == s.baseline.q_c.size() &&
              (!s.solver || s.solver->depth.size() == s.solver->q_c.size()),
          "depths and q_c of sounding " + s.name + " differ in number");
   check_mechanisms(input);
+  check_verdict(input);
 }
 
-std::string title_of(const DiagnosisInput& input, std::size_t hypothesis) {
-  return hypothesis < input.mechanisms.size() ? input.mechanisms[hypothesis].title
-                                              : input.diagnosis.hypotheses[hypothesis].name;
+std::string title_of(const DiagnosisInput& input, Explanation explanation) {
+  return explanation.is_mechanism() ? input.mechanisms[explanation.mechanism()].title
+                                    : input.diagnosis.verdict.of(explanation).name;
 }
 
 std::string title_of(const DiagnosisInput& input, const std::string& name) {
@@ -90,20 +105,11 @@ double study_value(const StudyParameter& parameter, double place) {
 
 std::vector<std::size_t> rivals(const DiagnosisInput& input) {
   constexpr std::size_t most = 3;
-  std::vector<std::size_t> others;
-  for (const std::size_t k : diagnosis::mechanisms_in_set(input.diagnosis))
-    if (k != input.diagnosis.best && k < input.diagnosis.with.size() && others.size() < most)
-      others.push_back(k);
+  const diagnosis::Diagnosis& d = input.diagnosis;
+  std::vector<std::size_t> others = d.verdict.mechanisms_in_set();
+  if (d.best) std::erase(others, d.best->mechanism);
+  others.resize(std::min(others.size(), most));
   return others;
-}
-
-std::vector<std::size_t> by_probability(const DiagnosisInput& input, std::size_t count) {
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-    return input.diagnosis.hypotheses[a].probability > input.diagnosis.hypotheses[b].probability;
-  });
-  return order;
 }
 
 }  // namespace cpt::reports::diagnosed

@@ -10,6 +10,7 @@
 
 namespace cpt::reports::diagnosed {
 
+using diagnosis::Explanation;
 using diagnosis::Index;
 using diagnosis::MatrixXd;
 using diagnosis::VectorXd;
@@ -84,8 +85,8 @@ struct DiagnosisInput {
 void check(const DiagnosisInput& input);
 
 /// The mechanism's title, "nothing is missing" or "none of these".
-[[nodiscard]] std::string title_of(const DiagnosisInput& input, std::size_t hypothesis);
-/// The same by the hypothesis's name; the name itself if it is unknown.
+[[nodiscard]] std::string title_of(const DiagnosisInput& input, Explanation explanation);
+/// The same by its name; the name itself if it is unknown.
 [[nodiscard]] std::string title_of(const DiagnosisInput& input, const std::string& name);
 
 /// phi in study units, and a standard deviation of phi.
@@ -100,8 +101,5 @@ void check(const DiagnosisInput& input);
 /// Mechanisms that the recording does not tell from the best one: the rest of the answer's set, the most
 /// probable first, at most as many as the figures have colours for.
 [[nodiscard]] std::vector<std::size_t> rivals(const DiagnosisInput& input);
-
-/// The first `count` hypotheses, the most probable first.
-[[nodiscard]] std::vector<std::size_t> by_probability(const DiagnosisInput& input, std::size_t count);
 
 }  // namespace cpt::reports::diagnosed

@@ -56,8 +56,9 @@ void draw_scale(Svg& svg, double x, double y, double threshold) {
 std::optional<std::string> isolability_figure(const DiagnosisInput& input) {
   const std::size_t count = input.mechanisms.size();
   if (count == 0) return std::nullopt;
+  const diagnosis::Isolability& isolability = input.diagnosis.isolability;
   const double threshold = input.options.indistinguishable;
-  const std::vector<std::size_t> order = by_probability(input, count);
+  const std::vector<std::size_t> order = input.diagnosis.verdict.mechanisms_by_probability();
   const double side = static_cast<double>(count) * cell_side;
   const double width = std::max(500.0, label_room + side + cell_side + 10.0 + right);
   Svg svg(width, matrix_top + side + 44.0, "isolability");
@@ -86,9 +87,9 @@ std::optional<std::string> isolability_figure(const DiagnosisInput& input) {
         svg.text(middle, plain("–"), style);
         continue;
       }
-      const std::size_t column = j == count ? count : order[j];
+      const auto row = static_cast<Index>(order[i]);
       const double distance =
-          input.diagnosis.isolability(static_cast<Index>(order[i]), static_cast<Index>(column));
+          j == count ? isolability.strength(row) : isolability.between(row, static_cast<Index>(order[j]));
       svg.rectangle(box, std::isfinite(distance) ? fill_of(distance, threshold) : "#ffffff");
       svg.text(middle, plain(printed(distance)), style);
       if (distance < threshold)

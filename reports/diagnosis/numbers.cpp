@@ -12,9 +12,13 @@ using Json = nlohmann::ordered_json;
 
 Json array(const VectorXd& v) { return std::vector<double>(v.data(), v.data() + v.size()); }
 
-Json rows(const MatrixXd& m) {
+// A row for each mechanism: its distances from all, and last from the null.
+Json of(const diagnosis::Isolability& isolability) {
   Json list = Json::array();
-  for (Index i = 0; i < m.rows(); ++i) list.push_back(array(m.row(i).transpose()));
+  for (Index i = 0; i < isolability.strength.size(); ++i) {
+    list.push_back(array(isolability.between.row(i).transpose()));
+    list.back().push_back(isolability.strength(i));
+  }
   return list;
 }
 
@@ -43,11 +47,11 @@ Json of(const diagnosis::PredictiveCheck& c) {
 
 Json answer_part(const DiagnosisInput& input) {
   const Answer answer = answer_of(input);
-  const diagnosis::Diagnosis& d = input.diagnosis;
+  const diagnosis::Verdict& verdict = input.diagnosis.verdict;
   return {{"kind", name_of(answer.kind)},
-          {"name", d.hypotheses[d.answer].name},
-          {"winner_before_check", d.hypotheses[d.winner].name},
-          {"set", list_of(d.set, [&](std::size_t k) { return d.hypotheses[k].name; })},
+          {"name", verdict.of(verdict.answer).name},
+          {"winner_before_check", verdict.of(verdict.winner).name},
+          {"set", list_of(verdict.set, [&](Explanation e) { return verdict.of(e).name; })},
           {"headline", answer.headline},
           {"reservations", answer.reservations},
           {"paragraphs", answer.paragraphs}};
@@ -55,7 +59,7 @@ Json answer_part(const DiagnosisInput& input) {
 
 Json mechanism_part(const DiagnosisInput& input, std::size_t k) {
   const MechanismFacts& facts = input.mechanisms[k];
-  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[k];
+  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[k].evidence;
   Json parameters = Json::array();
   for (std::size_t j = 0; j < facts.parameters.size(); ++j) {
     const MechanismParameterFacts& p = facts.parameters[j];
@@ -80,7 +84,7 @@ Json mechanism_part(const DiagnosisInput& input, std::size_t k) {
 
 Json study_part(const DiagnosisInput& input, const diagnosis::Recalibration& fit) {
   Json list = Json::array();
-  for (Index j = 0; j < std::min(fit.place.size(), fit.deviation.size()); ++j) {
+  for (Index j = 0; j < fit.place.size(); ++j) {
     const StudyParameter& p = input.parameters[static_cast<std::size_t>(j)];
     list.push_back({{"name", p.name},
                     {"unit", p.unit},
@@ -95,13 +99,14 @@ Json study_part(const DiagnosisInput& input, const diagnosis::Recalibration& fit
 
 Json cells_part(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
-  Json all{{"sounding", list_of(d.cells, [](const auto& c) { return c.sounding; })},
-           {"depth_m", list_of(d.cells, [](const auto& c) { return c.depth; })},
-           {"height_m", list_of(d.cells, [](const auto& c) { return c.height; })},
+  const std::vector<diagnosis::Cell>& cells = d.compared.cells;
+  Json all{{"sounding", list_of(cells, [](const auto& c) { return c.sounding; })},
+           {"depth_m", list_of(cells, [](const auto& c) { return c.depth; })},
+           {"height_m", list_of(cells, [](const auto& c) { return c.height; })},
            {"recorded_ln", array(input.recorded)},
            {"baseline_ln", array(input.baseline)},
-           {"recalibrated_ln", array(d.recalibrated.curve)},
-           {"with_best_ln", array(d.with_best.curve)},
+           {"recalibrated_ln", array(d.null.recalibrated.curve)},
+           {"with_best_ln", d.best ? array(d.with_best().curve) : Json::array()},
            {"noise_deviation_ln", array(noise_deviation(input))}};
   if (const auto solver = solver_in_cells(input)) all["solver_ln"] = array(*solver);
   return all;
@@ -109,8 +114,9 @@ Json cells_part(const DiagnosisInput& input) {
 
 Json errors_part(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
-  Json all{{"baseline_ln", rmse(input.recorded, input.baseline)}, {"recalibrated_ln", d.recalibrated.rmse}};
-  if (d.best) all["with_best_ln"] = d.with_best.rmse;
+  Json all{{"baseline_ln", rmse(input.recorded, input.baseline)},
+           {"recalibrated_ln", d.null.recalibrated.rmse}};
+  if (d.best) all["with_best_ln"] = d.with_best().rmse;
   if (const auto solver = solver_in_cells(input)) all["solver_ln"] = rmse(input.recorded, *solver);
   return all;
 }
@@ -156,7 +162,7 @@ std::string diagnosis_json(const DiagnosisInput& input) {
   Json all;
   all["title"] = input.title;
   all["answer"] = answer_part(input);
-  all["hypotheses"] = list_of(d.hypotheses, [](const diagnosis::Hypothesis& h) {
+  all["hypotheses"] = list_of(d.verdict.hypotheses, [](const diagnosis::Hypothesis& h) {
     return Json{{"name", h.name},
                 {"prior", h.prior},
                 {"log_evidence", h.log_evidence},
@@ -170,12 +176,12 @@ std::string diagnosis_json(const DiagnosisInput& input) {
   all["mechanisms"] = Json::array();
   for (std::size_t k = 0; k < input.mechanisms.size(); ++k)
     all["mechanisms"].push_back(mechanism_part(input, k));
-  all["best"] = d.best ? Json(d.hypotheses[*d.best].name) : Json();
+  all["best"] = d.best ? Json(d.verdict.of(d.best->mechanism).name) : Json();
   all["rmse"] = errors_part(input);
-  all["held_out"] = d.held_out ? held_out_part(*d.held_out) : Json();
-  all["null_check"] = of(d.null_check);
-  all["gate"] = d.gate ? of(*d.gate) : Json();
-  all["isolability"] = rows(d.isolability);
+  all["held_out"] = d.best && d.best->held_out ? held_out_part(*d.best->held_out) : Json();
+  all["null_check"] = of(d.null.check);
+  all["gate"] = d.verdict.gate ? of(*d.verdict.gate) : Json();
+  all["isolability"] = of(d.isolability);
   all["pairs"] = list_of(d.pairs, [](const diagnosis::PairEvidence& p) {
     return Json{{"first", p.first},
                 {"second", p.second},
@@ -189,12 +195,13 @@ std::string diagnosis_json(const DiagnosisInput& input) {
   all["prior_widths"] = list_of(d.variations, [](const diagnosis::PriorVariation& v) {
     return Json{{"what", v.what}, {"answer", v.answer}, {"changed", v.changed}};
   });
-  all["study_parameters"] = study_part(input, d.recalibrated);
-  all["study_parameters_with_best"] = study_part(input, d.with_best);
-  all["noise"] = {{"measurement", of(d.measurement)},
+  all["study_parameters"] = study_part(input, d.null.recalibrated);
+  all["study_parameters_with_best"] = d.best ? study_part(input, d.with_best()) : Json::array();
+  const auto& numerical = d.compared.numerical;
+  all["noise"] = {{"measurement", of(d.compared.measurement)},
                   {"measurement_given", input.noise.measurement_given},
-                  {"numerical", d.numerical ? of(d.numerical->target) : Json()},
-                  {"numerical_weight", d.numerical ? Json(d.numerical->weight) : Json()},
+                  {"numerical", numerical ? of(numerical->target) : Json()},
+                  {"numerical_weight", numerical ? Json(numerical->weight) : Json()},
                   {"numerical_shares", input.noise.numerical_shares},
                   {"repeats", input.noise.repeats},
                   {"joint_runs", input.noise.joint_runs}};

@@ -66,7 +66,7 @@ void draw_panel(Svg& svg, const Box& box, const MechanismParameterFacts& paramet
 
 std::optional<std::string> posterior_figure(const DiagnosisInput& input) {
   if (!input.diagnosis.best) return std::nullopt;
-  const std::size_t best = *input.diagnosis.best;
+  const std::size_t best = input.diagnosis.best->mechanism;
   const auto& parameters = input.mechanisms[best].parameters;
   if (parameters.empty()) return std::nullopt;
   const auto count = static_cast<double>(parameters.size());
@@ -78,7 +78,7 @@ std::optional<std::string> posterior_figure(const DiagnosisInput& input) {
     draw_panel(svg,
                {side_margin + static_cast<double>(k) * (across + panel_gap), posterior_top, across,
                 posterior_height},
-               parameters[k], input.diagnosis.mechanisms[best], static_cast<Index>(k));
+               parameters[k], input.diagnosis.mechanisms[best].evidence, static_cast<Index>(k));
   draw_heading(svg, shortened(capitalized(title_of(input, best)), width - 16.0, 10.0, true),
                plain("probability density over the ranges that were looked at; mean ± standard deviation"));
   const double y = posterior_top + posterior_height + 46.0;

@@ -30,9 +30,9 @@ double greatest(const DiagnosisInput& input) {
   };
   take(input.recorded);
   take(input.baseline);
-  take(input.diagnosis.recalibrated.curve);
-  if (input.diagnosis.best) take(input.diagnosis.with_best.curve);
-  for (const std::size_t k : rivals(input)) take(input.diagnosis.with[k].curve);
+  take(input.diagnosis.null.recalibrated.curve);
+  if (input.diagnosis.best) take(input.diagnosis.with_best().curve);
+  for (const std::size_t k : rivals(input)) take(input.diagnosis.mechanisms[k].recalibrated.curve);
   return most > 0.0 ? 1.08 * most : 1.0;
 }
 
@@ -75,8 +75,8 @@ std::string profile_figure(const DiagnosisInput& input) {
   const SoundingPanels panels(input, 190.0, 380.0, legend_of(input));
   Svg svg(panels.width(), panels.height(), "profile");
   const double most = greatest(input);
-  const VectorXd null = in_kPa(d.recalibrated.curve);
-  const VectorXd with = d.best ? in_kPa(d.with_best.curve) : VectorXd();
+  const VectorXd null = in_kPa(d.null.recalibrated.curve);
+  const VectorXd with = d.best ? in_kPa(d.with_best().curve) : VectorXd();
   const std::vector<std::size_t> others = rivals(input);
   for (std::size_t s = 0; s < input.soundings.size(); ++s) {
     const Box box = panels.box(s);
@@ -87,7 +87,8 @@ std::string profile_figure(const DiagnosisInput& input) {
     draw_curve(svg, input.soundings[s].recorded, across, depth, recorded_pen);
     svg.polyline(cell_line(input, s, null, across, depth), null_pen);
     for (std::size_t k = 0; k < others.size(); ++k)
-      svg.polyline(cell_line(input, s, in_kPa(d.with[others[k]].curve), across, depth), rival_pen(k));
+      svg.polyline(cell_line(input, s, in_kPa(d.mechanisms[others[k]].recalibrated.curve), across, depth),
+                   rival_pen(k));
     if (d.best) svg.polyline(cell_line(input, s, with, across, depth), mechanism_pen);
     if (input.soundings[s].solver) draw_simulated(svg, *input.soundings[s].solver, across, depth, solver_pen);
     svg.end_clip();

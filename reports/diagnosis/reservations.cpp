@@ -1,7 +1,6 @@
 // What must be known beside the headline, so that nobody takes an answer for more than it is.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "reports/diagnosis/answer.hpp"
@@ -32,27 +31,26 @@ std::string worse_than(const std::string& what, double with, double without) {
 std::vector<std::string> of_the_best_effect(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
   if (!d.best) return {};
-  const std::string title = title_of(input, *d.best);
-  std::vector<std::string> all = {
-      worse_than(fmt::format("With the best effect, {},", title), d.with_best.rmse, d.recalibrated.rmse)};
+  const std::string title = title_of(input, d.best->mechanism);
+  std::vector<std::string> all = {worse_than(fmt::format("With the best effect, {},", title),
+                                             d.with_best().rmse, d.null.recalibrated.rmse)};
   if (const auto solver = solver_in_cells(input)) {
-    VectorXd null = d.recalibrated.curve;
+    VectorXd null = d.null.recalibrated.curve;
     for (Index i = 0; i < null.size(); ++i)
       if (!std::isfinite((*solver)(i))) null(i) = (*solver)(i);  // the same cells for both
     all.push_back(worse_than(fmt::format("Run in the full solver with the best effect, {},", title),
                              rmse(input.recorded, *solver), rmse(input.recorded, null)));
   }
-  if (d.held_out && d.held_out->upper < 0.0)
+  if (d.best->held_out && d.best->held_out->upper < 0.0)
     all.push_back(fmt::format("On depths held out of the fit, {} predicts worse than nothing.", title));
   return all;
 }
 
 std::string at_bounds(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
-  const bool named = d.answer < input.mechanisms.size();
-  const diagnosis::Recalibration& fit = named && d.best == d.answer         ? d.with_best
-                                        : named && d.answer < d.with.size() ? d.with[d.answer]
-                                                                            : d.recalibrated;
+  const Explanation answer = d.verdict.answer;
+  const diagnosis::Recalibration& fit =
+      answer.is_mechanism() ? d.mechanisms[answer.mechanism()].recalibrated : d.null.recalibrated;
   std::vector<std::string> ends;
   for (std::size_t j = 0; j < input.parameters.size(); ++j) {
     const StudyParameter& p = input.parameters[j];
@@ -65,31 +63,30 @@ std::string at_bounds(const DiagnosisInput& input) {
   if (!ends.empty())
     text = fmt::format("The fit presses against the study's bounds: {}. Beyond them it might need less else.",
                        few_of(ends));
-  if (named)
-    if (const std::string own = at_ends(input, d.answer); !own.empty())
+  if (answer.is_mechanism())
+    if (const std::string own = at_ends(input, answer.mechanism()); !own.empty())
       text += (text.empty() ? "" : " ") + own;
   return text;
 }
 
-std::string in_words(const DiagnosisInput& input, std::size_t k) {
-  const std::size_t nothing = input.mechanisms.size();
-  const std::string name = k < nothing    ? title_of(input, k)
-                           : k == nothing ? "that nothing is missing"
-                                          : "something outside the catalogue";
-  return fmt::format("{} ({})", name, probability(input.diagnosis.hypotheses[k].probability));
+std::string in_words(const DiagnosisInput& input, Explanation explanation) {
+  const std::string name = explanation.is_nothing()   ? "that nothing is missing"
+                           : explanation.is_unknown() ? "something outside the catalogue"
+                                                      : title_of(input, explanation);
+  return fmt::format("{} ({})", name, probability(input.diagnosis.verdict.of(explanation).probability));
 }
 
 std::string not_ruled_out(const DiagnosisInput& input) {
-  const diagnosis::Diagnosis& d = input.diagnosis;
-  if (d.set.empty()) return "No explanation is left: the set of answers is empty.";
-  if (d.set.size() == d.hypotheses.size())
-    return fmt::format("This recording rules nothing out: all {} explanations stay possible.", d.set.size());
-  const auto effects = std::ranges::count_if(d.set, [&](auto k) { return k < input.mechanisms.size(); });
-  const bool several_named = d.answer < input.mechanisms.size() && effects > 1;
+  const diagnosis::Verdict& verdict = input.diagnosis.verdict;
+  if (verdict.set.empty()) return "No explanation is left: the set of answers is empty.";
+  if (verdict.set.size() == verdict.hypotheses.size())
+    return fmt::format("This recording rules nothing out: all {} explanations stay possible.",
+                       verdict.set.size());
+  const bool several_named = verdict.answer.is_mechanism() && verdict.mechanisms_in_set().size() > 1;
   std::vector<std::string> others;
-  for (const std::size_t k : d.set)
-    if (k != d.answer && !(several_named && k < input.mechanisms.size()))
-      others.push_back(in_words(input, k));
+  for (const Explanation explanation : verdict.set)
+    if (explanation != verdict.answer && !(several_named && explanation.is_mechanism()))
+      others.push_back(in_words(input, explanation));
   return others.empty() ? "" : fmt::format("Not ruled out: {}.", few_of(others));
 }
 
@@ -104,7 +101,7 @@ std::vector<std::string> reservations(const DiagnosisInput& input) {
 }
 
 bool stands_alone(const DiagnosisInput& input) {
-  return input.diagnosis.set.size() == 1 && reservations(input).empty();
+  return input.diagnosis.verdict.set.size() == 1 && reservations(input).empty();
 }
 
 }  // namespace cpt::reports::diagnosed

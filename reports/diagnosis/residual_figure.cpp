@@ -27,11 +27,11 @@ struct Residuals {
 };
 
 Residuals residuals_of(const DiagnosisInput& input) {
-  Residuals r{percent_above(input.recorded, input.diagnosis.recalibrated.curve), {}, {}, {}, {}};
-  if (input.diagnosis.best) r.after = percent_above(input.recorded, input.diagnosis.with_best.curve);
+  Residuals r{percent_above(input.recorded, input.diagnosis.null.recalibrated.curve), {}, {}, {}, {}};
+  if (input.diagnosis.best) r.after = percent_above(input.recorded, input.diagnosis.with_best().curve);
   if (const auto solver = solver_in_cells(input)) r.solver = percent_above(input.recorded, *solver);
   for (const std::size_t k : rivals(input))
-    r.rivals.push_back(percent_above(input.recorded, input.diagnosis.with[k].curve));
+    r.rivals.push_back(percent_above(input.recorded, input.diagnosis.mechanisms[k].recalibrated.curve));
   r.noise = noise_deviation(input);
   return r;
 }
@@ -61,8 +61,9 @@ Range extent(const Residuals& r) {
 // Two standard deviations of the noise to either side of zero, cell by cell.
 void draw_noise(Svg& svg, const DiagnosisInput& input, std::size_t sounding, const VectorXd& noise,
                 const Axis& across, const Axis& depth) {
-  for (std::size_t i = 0; i < input.diagnosis.cells.size(); ++i) {
-    const diagnosis::Cell& cell = input.diagnosis.cells[i];
+  const std::vector<diagnosis::Cell>& cells = input.diagnosis.compared.cells;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const diagnosis::Cell& cell = cells[i];
     if (cell.sounding != static_cast<int>(sounding)) continue;
     const double two = 2.0 * noise(static_cast<Index>(i));
     const double x = across(percent_of(-two)), y = depth(cell.depth - 0.5 * cell.height);

@@ -49,7 +49,7 @@ SoundingPanels::SoundingPanels(const DiagnosisInput& input, double panel_width, 
     if (!std::isfinite(depth)) return;
     range_ = {std::min(range_.low, depth), std::max(range_.high, depth)};
   };
-  for (const diagnosis::Cell& cell : input.diagnosis.cells)
+  for (const diagnosis::Cell& cell : input.diagnosis.compared.cells)
     for (const double side : {-0.5, 0.5}) take(cell.depth + side * cell.height);
   for (const Sounding& sounding : input.soundings)
     for (const double depth : sounding.baseline.depth) take(depth);
@@ -94,8 +94,9 @@ std::vector<Point> cell_line(const DiagnosisInput& input, std::size_t sounding, 
                              const Axis& across, const Axis& depth) {
   std::vector<Point> points;
   const diagnosis::Cell* last = nullptr;
-  for (std::size_t i = 0; i < input.diagnosis.cells.size(); ++i) {
-    const diagnosis::Cell& cell = input.diagnosis.cells[i];
+  const std::vector<diagnosis::Cell>& cells = input.diagnosis.compared.cells;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const diagnosis::Cell& cell = cells[i];
     if (cell.sounding != static_cast<int>(sounding)) continue;
     if (last != nullptr && cell.depth - last->depth > 1.5 * cell.height)
       points.push_back({std::nan(""), std::nan("")});
@@ -128,8 +129,8 @@ std::string best_effect_line(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
   if (!d.best) return "no effect was tried";
   return fmt::format("best effect{}: {}",
-                     d.with_best.rmse > d.recalibrated.rmse ? " (makes the fit worse)" : "",
-                     title_of(input, *d.best));
+                     d.with_best().rmse > d.null.recalibrated.rmse ? " (makes the fit worse)" : "",
+                     title_of(input, d.best->mechanism));
 }
 
 }  // namespace cpt::reports::diagnosed

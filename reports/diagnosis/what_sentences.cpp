@@ -17,7 +17,7 @@ constexpr double vague = 0.22;  // standard deviation of phi; that of the prior 
 }  // namespace
 
 std::string fitted_parameters(const DiagnosisInput& input, std::size_t mechanism) {
-  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[mechanism];
+  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[mechanism].evidence;
   std::vector<std::string> parts;
   const auto& parameters = input.mechanisms[mechanism].parameters;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -32,7 +32,7 @@ std::string fitted_parameters(const DiagnosisInput& input, std::size_t mechanism
 }
 
 std::string weak_parameters(const DiagnosisInput& input, std::size_t mechanism) {
-  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[mechanism];
+  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[mechanism].evidence;
   std::vector<std::string> untold;
   const auto& parameters = input.mechanisms[mechanism].parameters;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -43,7 +43,7 @@ std::string weak_parameters(const DiagnosisInput& input, std::size_t mechanism) 
 }
 
 std::string at_ends(const DiagnosisInput& input, std::size_t mechanism) {
-  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[mechanism];
+  const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[mechanism].evidence;
   std::vector<std::string> ends;
   const auto& parameters = input.mechanisms[mechanism].parameters;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -57,20 +57,20 @@ std::string at_ends(const DiagnosisInput& input, std::size_t mechanism) {
 }
 
 std::string check_passed(const DiagnosisInput& input) {
-  const diagnosis::Diagnosis& d = input.diagnosis;
-  if (!d.gate) return "";
-  const std::string from = d.winner < input.mechanisms.size()
-                               ? title_of(input, d.winner) + " in the simulation"
+  const diagnosis::Verdict& verdict = input.diagnosis.verdict;
+  if (!verdict.gate) return "";
+  const double p = verdict.gate->p;
+  const std::string from = verdict.winner.is_mechanism()
+                               ? title_of(input, verdict.winner) + " in the simulation"
                                : "the study's parameters and the noise alone";
   return fmt::format("Curves drawn with {} {} like the recording (predictive check, {}, limit {}).", from,
-                     d.gate->p >= input.options.gate ? "look" : "do not look", p_value(d.gate->p),
-                     brief(input.options.gate));
+                     p >= input.options.gate ? "look" : "do not look", p_value(p), brief(input.options.gate));
 }
 
 std::string held_out(const DiagnosisInput& input) {
-  const diagnosis::Diagnosis& d = input.diagnosis;
-  if (!d.best || !d.held_out) return "";
-  const diagnosis::HeldOutGain& gain = *d.held_out;
+  const auto& best = input.diagnosis.best;
+  if (!best || !best->held_out) return "";
+  const diagnosis::HeldOutGain& gain = *best->held_out;
   const std::string before = percent(percent_of(gain.rmse_null)), after = percent(percent_of(gain.rmse));
   const std::string change =
       before == after
@@ -82,14 +82,14 @@ std::string held_out(const DiagnosisInput& input) {
   return fmt::format(
       "With {}, the error on depths held out of the fit {} (gain in log score {} per cell, 90 % interval {} "
       "to {}{}).",
-      title_of(input, *d.best), change, drawing::decimals(gain.per_cell, 2), drawing::decimals(gain.lower, 2),
-      drawing::decimals(gain.upper, 2), meaning);
+      title_of(input, best->mechanism), change, drawing::decimals(gain.per_cell, 2),
+      drawing::decimals(gain.lower, 2), drawing::decimals(gain.upper, 2), meaning);
 }
 
 std::string solver_confirms(const DiagnosisInput& input) {
   const auto solver = solver_in_cells(input);
   if (!solver || !input.diagnosis.best) return "";
-  VectorXd emulated = input.diagnosis.with_best.curve;
+  VectorXd emulated = input.diagnosis.with_best().curve;
   for (Index i = 0; i < emulated.size(); ++i)
     if (!std::isfinite((*solver)(i))) emulated(i) = (*solver)(i);  // the same cells for both
   return fmt::format(
@@ -102,7 +102,7 @@ std::string best_pair(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
   if (d.pairs.empty() || !d.best) return "";
   const diagnosis::PairEvidence& pair = d.pairs.front();
-  const double gain = pair.log_evidence - d.hypotheses[*d.best].log_evidence;
+  const double gain = pair.log_evidence - d.mechanisms[d.best->mechanism].evidence.log_evidence;
   const std::string both =
       fmt::format("{} together with {}", title_of(input, pair.first), title_of(input, pair.second));
   if (gain <= 0.0)

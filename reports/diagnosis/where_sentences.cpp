@@ -51,7 +51,7 @@ std::string value_of(const StudyParameter& parameter, double place) {
 
 std::string move_of(const DiagnosisInput& input, std::size_t j) {
   const StudyParameter& p = input.parameters[j];
-  const double place = input.diagnosis.recalibrated.place(static_cast<Index>(j));
+  const double place = input.diagnosis.null.recalibrated.place(static_cast<Index>(j));
   const bool at_bound = p.choices.empty() && (place < 0.005 || place > 0.995);
   return fmt::format("{} from {} to {}{}{}", p.symbol, value_of(p, baseline_place(p)), value_of(p, place),
                      p.choices.empty() ? unit_after(p.unit) : "", at_bound ? ", its bound" : "");
@@ -82,7 +82,7 @@ std::string where_it_differs(const DiagnosisInput& input) {
 }
 
 std::string parameters_moved(const DiagnosisInput& input) {
-  const VectorXd& place = input.diagnosis.recalibrated.place;
+  const VectorXd& place = input.diagnosis.null.recalibrated.place;
   const auto moved = [&](std::size_t j) {
     return std::abs(place(static_cast<Index>(j)) - baseline_place(input.parameters[j]));
   };
@@ -104,7 +104,7 @@ std::string parameters_moved(const DiagnosisInput& input) {
 
 std::string recalibration_error(const DiagnosisInput& input) {
   const double before = percent_of(rmse(input.recorded, input.baseline));
-  const double after = percent_of(input.diagnosis.recalibrated.rmse);
+  const double after = percent_of(input.diagnosis.null.recalibrated.rmse);
   if (percent(before) == percent(after))
     return fmt::format(
         "Fitting the study's parameters leaves the root-mean-square error of the simulated cone resistance "

@@ -49,7 +49,7 @@ Options quick() {
   return options;
 }
 
-std::string answer(const Diagnosis& d) { return d.hypotheses[d.answer].name; }
+std::string answer(const Diagnosis& d) { return d.verdict.of(d.verdict.answer).name; }
 
 TEST(Diagnose, NamesWhatIsMissing) {
   const auto cells = toy::cells();
@@ -62,12 +62,12 @@ TEST(Diagnose, NamesWhatIsMissing) {
     for (const auto& [name, missing] : truths) {
       const Diagnosis d = diagnose(problem(seed, missing), quick());
       right += answer(d) == name ? 1 : 0;
-      proved += d.held_out->per_cell > 0.0 ? 1 : 0;
+      proved += d.best->held_out->per_cell > 0.0 ? 1 : 0;
       EXPECT_LT(d.location.p, 0.05) << name;
-      EXPECT_LT(d.with_best.rmse, d.recalibrated.rmse) << name;
+      EXPECT_LT(d.with_best().rmse, d.null.recalibrated.rmse) << name;
       if (name != "lens") continue;
-      EXPECT_NEAR(d.mechanisms[1].mean(1), 0.63, 0.1);
-      EXPECT_NEAR(d.mechanisms[1].mean(0), 0.6, 0.2);
+      EXPECT_NEAR(d.mechanisms[1].evidence.mean(1), 0.63, 0.1);
+      EXPECT_NEAR(d.mechanisms[1].evidence.mean(0), 0.6, 0.2);
       const Mismatch& m = d.location.mismatches.front();
       const double shared = std::min(m.to, 0.389) - std::max(m.from, 0.289);
       const double both = std::max(m.to, 0.389) - std::min(m.from, 0.289);
@@ -91,7 +91,7 @@ TEST(Diagnose, LeavesNothingMissingWhereNothingIsOrParametersWouldDo) {
     // What "scaling" does, the parameter "scale" does as well.
     const Diagnosis d = diagnose(problem(seed, VectorXd::Constant(60, 0.05)), quick());
     confounded += answer(d) == nothing_is_missing ? 1 : 0;
-    EXPECT_LT(d.isolability(3, 4), 2.5);
+    EXPECT_LT(d.isolability.strength(3), 2.5);
   }
   RecordProperty("alarms_of_20", alarms);
   RecordProperty("confounded_called_nothing_of_5", confounded);
@@ -115,7 +115,7 @@ TEST(Diagnose, OffersThePair) {
   const PairEvidence& pair = d.pairs.front();
   EXPECT_TRUE((pair.first == "top" && pair.second == "lens") ||
               (pair.first == "lens" && pair.second == "top"));
-  for (const Hypothesis& h : d.hypotheses) EXPECT_GT(pair.log_evidence, h.log_evidence) << h.name;
+  for (const Hypothesis& h : d.verdict.hypotheses) EXPECT_GT(pair.log_evidence, h.log_evidence) << h.name;
 }
 
 TEST(Diagnose, RepeatsItselfToTheBitAndReportsTheVariations) {
@@ -125,13 +125,13 @@ TEST(Diagnose, RepeatsItselfToTheBitAndReportsTheVariations) {
   Options options;
   options.bootstraps = 300;
   const Diagnosis a = diagnose(p, options), b = diagnose(p, options);
-  EXPECT_EQ(a.cells.size(), 59U);
+  EXPECT_EQ(a.compared.cells.size(), 59U);
   EXPECT_EQ(answer(a), "lens");
   EXPECT_EQ(a.location.p, b.location.p);
-  EXPECT_EQ(a.gate->p, b.gate->p);
-  EXPECT_EQ(a.held_out->lower, b.held_out->lower);
-  for (std::size_t k = 0; k < a.hypotheses.size(); ++k)
-    EXPECT_EQ(a.hypotheses[k].probability, b.hypotheses[k].probability);
+  EXPECT_EQ(a.verdict.gate->p, b.verdict.gate->p);
+  EXPECT_EQ(a.best->held_out->lower, b.best->held_out->lower);
+  for (std::size_t k = 0; k < a.verdict.hypotheses.size(); ++k)
+    EXPECT_EQ(a.verdict.hypotheses[k].probability, b.verdict.hypotheses[k].probability);
   ASSERT_EQ(a.variations.size(), 4U);
   for (const PriorVariation& v : a.variations) EXPECT_FALSE(v.changed) << v.what << ": " << v.answer;
   EXPECT_THROW((void)diagnose(Problem{}, options), std::invalid_argument);

@@ -34,11 +34,12 @@ void expect(const std::string& text, const std::string& part) {
 // Mean of 100 (recorded / refitted - 1) over the cells of a depth interval, as the figure draws them.
 double drawn_mean(const DiagnosisInput& input, double from, double to) {
   double sum = 0.0, count = 0.0;
-  for (std::size_t i = 0; i < input.diagnosis.cells.size(); ++i) {
-    const diagnosis::Cell& cell = input.diagnosis.cells[i];
+  for (std::size_t i = 0; i < input.diagnosis.compared.cells.size(); ++i) {
+    const diagnosis::Cell& cell = input.diagnosis.compared.cells[i];
     if (cell.depth < from || cell.depth > to) continue;
     const auto row = static_cast<Index>(i);
-    sum += 100.0 * (std::exp(input.recorded(row)) / std::exp(input.diagnosis.recalibrated.curve(row)) - 1.0);
+    sum += 100.0 *
+           (std::exp(input.recorded(row)) / std::exp(input.diagnosis.null.recalibrated.curve(row)) - 1.0);
     ++count;
   }
   return sum / count;
@@ -74,7 +75,7 @@ TEST(DiagnosisAnswer, WhereAndHowMuchAreThoseOfTheFigureWhateverTheScanSays) {
   for (const double shift : {-0.4, -0.1, 0.06, 0.5})
     for (const double step : {-0.3, 0.3}) {
       DiagnosisInput input = named_case();
-      input.diagnosis.recalibrated.curve = input.baseline.array() + shift;
+      input.diagnosis.null.recalibrated.curve = input.baseline.array() + shift;
       input.diagnosis.location.mismatches[0].size = step;
       const double mean = drawn_mean(input, 0.03, 0.1125);
       const std::string text = told(input);
@@ -93,26 +94,26 @@ TEST(DiagnosisAnswer, WhereAndHowMuchAreThoseOfTheFigureWhateverTheScanSays) {
 TEST(DiagnosisAnswer, AMeanDoesNotHideTheOtherSide) {
   DiagnosisInput input = named_case();
   for (Index i = 4; i < 15; ++i)
-    input.recorded(i) = input.diagnosis.recalibrated.curve(i) + (i < 8 ? std::log(1.1) : std::log(0.6));
+    input.recorded(i) = input.diagnosis.null.recalibrated.curve(i) + (i < 8 ? std::log(1.1) : std::log(0.6));
   const std::string text = told(input);
   expect(text, "below the simulation with the study's parameters refitted");
   expect(text, "It lies from 40 % below to 10 % above over that interval.");
-  for (Index i = 4; i < 15; ++i) input.recorded(i) = input.diagnosis.recalibrated.curve(i);
+  for (Index i = 4; i < 15; ++i) input.recorded(i) = input.diagnosis.null.recalibrated.curve(i);
   expect(told(input), "the recording is on average level with the simulation with");
 }
 
 TEST(DiagnosisAnswer, WhatIsNotRuledOutStandsWithTheHeadline) {
   EXPECT_TRUE(answer_of(named_case()).reservations.empty());
   DiagnosisInput input = none_of_these_case();
-  input.diagnosis.set = {4, 0, 3};
+  input.diagnosis.verdict.set = {Explanation::unknown(), 0, Explanation::nothing()};
   ASSERT_EQ(answer_of(input).reservations.size(), 1U);
   EXPECT_EQ(
       answer_of(input).reservations[0],
       "Not ruled out: sand compacted near the surface (0.10) and that nothing is missing (below 0.001).");
-  input.diagnosis.set = {4, 0, 3, 1, 2};
+  input.diagnosis.verdict.set = {Explanation::unknown(), 0, Explanation::nothing(), 1, 2};
   EXPECT_EQ(answer_of(input).reservations[0],
             "This recording rules nothing out: all 5 explanations stay possible.");
-  input.diagnosis.set = {};
+  input.diagnosis.verdict.set = {};
   EXPECT_EQ(answer_of(input).reservations[0], "No explanation is left: the set of answers is empty.");
   const std::string text = page(input, {});
   EXPECT_LT(text.find("the set of answers is empty"), text.find("Between 0.03")) << text;
@@ -121,14 +122,15 @@ TEST(DiagnosisAnswer, WhatIsNotRuledOutStandsWithTheHeadline) {
 TEST(DiagnosisAnswer, ABestEffectThatMakesTheFitWorseIsSaidFirst) {
   DiagnosisInput input = named_case();
   EXPECT_TRUE(stands_alone(input));
-  input.diagnosis.with_best.curve = input.diagnosis.recalibrated.curve.array() - 0.3;
-  input.diagnosis.with_best.rmse = rmse(input.recorded, input.diagnosis.with_best.curve);
+  diagnosis::Recalibration& with = input.diagnosis.mechanisms[0].recalibrated;
+  with.curve = input.diagnosis.null.recalibrated.curve.array() - 0.3;
+  with.rmse = rmse(input.recorded, with.curve);
   std::string text = told(input);
   expect(text,
          "With the best effect, sand compacted near the surface, the fit is worse than with the study's "
          "parameters alone: it leaves an error of " +
-             percent(percent_of(input.diagnosis.with_best.rmse)) + " in place of " +
-             percent(percent_of(input.diagnosis.recalibrated.rmse)));
+             percent(percent_of(with.rmse)) + " in place of " +
+             percent(percent_of(input.diagnosis.null.recalibrated.rmse)));
   EXPECT_FALSE(stands_alone(input));
   expect(profile_figure(input), "best effect (makes the fit worse)");
   expect(probability_figure(input), "no full bar");
@@ -140,18 +142,18 @@ TEST(DiagnosisAnswer, ABestEffectThatMakesTheFitWorseIsSaidFirst) {
   expect(text,
          "Run in the full solver with the best effect, sand compacted near the surface, the fit is worse");
   DiagnosisInput held = named_case();
-  held.diagnosis.held_out = diagnosis::HeldOutGain{0.1, 0.2, -9.0, -0.5, -0.8, -0.2};
+  held.diagnosis.best->held_out = diagnosis::HeldOutGain{0.1, 0.2, -9.0, -0.5, -0.8, -0.2};
   expect(told(held),
          "On depths held out of the fit, sand compacted near the surface predicts worse than nothing.");
 }
 
 TEST(DiagnosisAnswer, BoundsArePressedAgainstAloud) {
   DiagnosisInput input = named_case();
-  input.diagnosis.with_best.place(0) = 1.0;
-  input.diagnosis.recalibrated.place(1) = 0.0;
+  input.diagnosis.mechanisms[0].recalibrated.place(0) = 1.0;
+  input.diagnosis.null.recalibrated.place(1) = 0.0;
   expect(told(input), "The fit presses against the study's bounds: Dᵣ = 70 %.");
   DiagnosisInput nothing = nothing_missing_case();
-  nothing.diagnosis.recalibrated.place(1) = 0.0;
+  nothing.diagnosis.null.recalibrated.place(1) = 0.0;
   expect(told(nothing), "The fit presses against the study's bounds: σ'ₕ₀ = 30 kPa.");
 }
 
@@ -161,8 +163,9 @@ TEST(DiagnosisAnswer, NamesSoundingsAndSigns) {
   mismatches[0].sounding = -1;
   mismatches.push_back({1, 0.2, 0.25, std::log(0.9), -10.0, -95e3, 15.0, 0.021});
   for (Index i = 40; i < 80; ++i)
-    if (const double z = input.diagnosis.cells[static_cast<std::size_t>(i)].depth; z > 0.2 && z < 0.25)
-      input.recorded(i) = input.diagnosis.recalibrated.curve(i) + std::log(0.9);
+    if (const double z = input.diagnosis.compared.cells[static_cast<std::size_t>(i)].depth;
+        z > 0.2 && z < 0.25)
+      input.recorded(i) = input.diagnosis.null.recalibrated.curve(i) + std::log(0.9);
   const std::string text = told(input);
   expect(text, "In all soundings, between 0.03 and 0.113 m");
   expect(text,
@@ -174,8 +177,8 @@ TEST(DiagnosisAnswer, NamesSoundingsAndSigns) {
 
 TEST(DiagnosisAnswer, SaysWhereAParameterIsWeak) {
   DiagnosisInput input = named_case();
-  input.diagnosis.mechanisms[0].deviation(1) = 0.27;
-  input.diagnosis.mechanisms[0].mode(0) = 1.0;
+  input.diagnosis.mechanisms[0].evidence.deviation(1) = 0.27;
+  input.diagnosis.mechanisms[0].evidence.mode(0) = 1.0;
   const std::string text = told(input);
   expect(text, "The recording says little about ℓ.");
   EXPECT_EQ(answer_of(input).reservations,
@@ -195,8 +198,8 @@ TEST(DiagnosisAnswer, NothingIsMissingTellsWhatMoved) {
 
 TEST(DiagnosisAnswer, AWeakNothingIsNotSoldAsCertain) {
   DiagnosisInput input = nothing_missing_case();
-  input.diagnosis.hypotheses[3].probability = 0.07;
-  input.diagnosis.hypotheses[0].probability = 0.8;
+  input.diagnosis.verdict.hypotheses[3].probability = 0.07;
+  input.diagnosis.verdict.hypotheses[0].probability = 0.8;
   const std::string text = told(input);
   expect(text, "No firm sign that anything is missing.");
   expect(text, "0.07, would have to be below 0.05");
@@ -222,8 +225,8 @@ TEST(DiagnosisAnswer, AFailedCheckOverrulesTheProbability) {
   expect(text, "do not look like the recording (predictive check, p = 0.002, limit 0.01)");
   expect(text, "Therefore the answer is “none of these”.");
   DiagnosisInput null = nothing_missing_case();
-  null.diagnosis.answer = 4;
-  null.diagnosis.gate->p = 0.004;
+  null.diagnosis.verdict.answer = Explanation::unknown();
+  null.diagnosis.verdict.gate->p = 0.004;
   expect(told(null), "No effect of the catalogue stands out, and “nothing is missing” is left");
 }
 
@@ -247,15 +250,14 @@ TEST(DiagnosisAnswer, WorksWithoutACatalogue) {
   DiagnosisInput input = nothing_missing_case();
   input.mechanisms.clear();
   diagnosis::Diagnosis& d = input.diagnosis;
-  d.hypotheses.erase(d.hypotheses.begin(), d.hypotheses.begin() + 3);
+  std::erase_if(d.verdict.hypotheses, [](const auto& h) { return h.explanation.is_mechanism(); });
   d.mechanisms.clear();
   d.pairs.clear();
-  d.isolability.resize(0, 1);
+  d.isolability = {};
   d.best.reset();
-  d.held_out.reset();
   d.variations.clear();
-  d.winner = d.answer = 0;
-  d.set = {0};
+  d.verdict.winner = d.verdict.answer = Explanation::nothing();
+  d.verdict.set = {Explanation::nothing()};
   expect(told(input), "Nothing is missing");
 }
 

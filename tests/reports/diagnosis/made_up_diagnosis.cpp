@@ -75,23 +75,23 @@ std::vector<MechanismFacts> catalogue() {
            {{"depth_datum.shift_mm", "Δz_datum", "mm", "recorded less true depth", -25.0, 25.0}}}};
 }
 
-void add_cells(DiagnosisInput& input, int soundings) {
+void add_cells(DiagnosisInput& input, diagnosis::Recalibration& with, int soundings) {
   diagnosis::Diagnosis& d = input.diagnosis;
-  d.cells = diagnosis::cells_of(
+  d.compared.cells = diagnosis::cells_of(
       std::vector<diagnosis::SoundingGrid>(static_cast<std::size_t>(soundings), {0.0, height, cells_each}));
-  const auto n = static_cast<Index>(d.cells.size());
+  const auto n = static_cast<Index>(d.compared.cells.size());
   input.recorded.resize(n);
   input.baseline.resize(n);
-  d.recalibrated.curve.resize(n);
-  d.with_best.curve.resize(n);
+  d.null.recalibrated.curve.resize(n);
+  with.curve.resize(n);
   for (Index i = 0; i < n; ++i) {
-    const double depth = d.cells[static_cast<std::size_t>(i)].depth;
+    const double depth = d.compared.cells[static_cast<std::size_t>(i)].depth;
     const double ln = std::log(q_c(depth));
-    d.rows.push_back(i);
+    d.compared.rows.push_back(i);
     input.baseline(i) = ln;
     input.recorded(i) = ln + compaction(depth) + ripple(depth);
-    d.recalibrated.curve(i) = ln + 0.06;
-    d.with_best.curve(i) = ln + 0.97 * compaction(depth);
+    d.null.recalibrated.curve(i) = ln + 0.06;
+    with.curve(i) = ln + 0.97 * compaction(depth);
   }
 }
 
@@ -110,37 +110,39 @@ DiagnosisInput named_case(int soundings) {
                       {"sand.sigma_h0_kPa", "σ'ₕ₀", "kPa", 35.0, 30.0, 40.0},
                       {"chamber.wall", "wall", "-", 0.0, 0.0, 1.0, {"rigid", "flexible"}}};
   input.mechanisms = catalogue();
-  add_cells(input, soundings);
+  diagnosis::Recalibration with;  // the null beside any mechanism
+  add_cells(input, with, soundings);
 
   diagnosis::Diagnosis& d = input.diagnosis;
-  d.measurement = {diagnosis::Kernel::ar1, 0.02, 0.012};
-  const auto n = static_cast<Index>(d.cells.size());
-  d.numerical =
+  d.compared.measurement = {diagnosis::Kernel::ar1, 0.02, 0.012};
+  const auto n = static_cast<Index>(d.compared.cells.size());
+  d.compared.numerical =
       diagnosis::ShrunkCovariance{4e-4 * MatrixXd::Identity(n, n), {diagnosis::Kernel::ar1, 0.02, 0.02}, 0.4};
-  d.recalibrated.place = vector({0.7, 0.55, 0.0});
-  d.recalibrated.deviation = vector({0.12, 0.2, 0.3});
-  d.recalibrated.rmse = rmse(input.recorded, d.recalibrated.curve);
-  d.with_best.place = vector({0.52, 0.5, 0.0});
-  d.with_best.deviation = vector({0.1, 0.2, 0.3});
-  d.with_best.rmse = rmse(input.recorded, d.with_best.curve);
-  d.null_check = {95.0, 0.001, 40.0, 0.001, 0.002};
+  d.null.recalibrated.place = vector({0.7, 0.55, 0.0});
+  d.null.recalibrated.deviation = vector({0.12, 0.2, 0.3});
+  d.null.recalibrated.rmse = rmse(input.recorded, d.null.recalibrated.curve);
+  with.place = vector({0.52, 0.5, 0.0});
+  with.deviation = vector({0.1, 0.2, 0.3});
+  with.rmse = rmse(input.recorded, with.curve);
+  d.null.check = {95.0, 0.001, 40.0, 0.001, 0.002};
   d.location = {11.3, 42.0, 0.000999, {{0, 0.03, 0.1125, std::log(1.38), 38.0, 410e3, 42.0, 0.000999}}};
-  d.hypotheses = {{"surface_compaction", 1.0 / 6.0, 71.4, 0.93},
-                  {"density_lens", 1.0 / 6.0, 66.9, 0.01},
-                  {"depth_datum", 1.0 / 6.0, 62.0, 0.0002},
-                  {diagnosis::nothing_is_missing, 0.3, 60.1, 0.0004},
-                  {diagnosis::none_of_these, 0.2, 68.5, 0.06}};
-  d.mechanisms = {evidence("surface_compaction", 71.4, vector({0.35, 0.4}), vector({0.075, 0.1})),
-                  evidence("density_lens", 66.9, vector({0.8, 0.1, 0.6}), vector({0.1, 0.05, 0.25})),
-                  evidence("depth_datum", 62.0, vector({0.3}), vector({0.08}))};
+  d.verdict.hypotheses = {{0, "surface_compaction", 1.0 / 6.0, 71.4, 0.93},
+                          {1, "density_lens", 1.0 / 6.0, 66.9, 0.01},
+                          {2, "depth_datum", 1.0 / 6.0, 62.0, 0.0002},
+                          {Explanation::nothing(), diagnosis::nothing_is_missing, 0.3, 60.1, 0.0004},
+                          {Explanation::unknown(), diagnosis::none_of_these, 0.2, 68.5, 0.06}};
+  d.mechanisms = {{evidence("surface_compaction", 71.4, vector({0.35, 0.4}), vector({0.075, 0.1})), with},
+                  {evidence("density_lens", 66.9, vector({0.8, 0.1, 0.6}), vector({0.1, 0.05, 0.25})), with},
+                  {evidence("depth_datum", 62.0, vector({0.3}), vector({0.08})), with}};
   d.pairs = {{"surface_compaction", "depth_datum", 70.2, vector({0.3, 0.4}), vector({0.5})}};
-  d.winner = d.answer = 0;
-  d.gate = diagnosis::PredictiveCheck{41.0, 0.42, 6.0, 0.5, 0.84};
-  d.set = {0};
-  d.isolability.resize(3, 4);
-  d.isolability << 0.0, 4.1, 5.6, 7.9, 3.2, 0.0, 4.4, 3.6, 1.9, 2.7, 0.0, 2.2;
-  d.best = 0;
-  d.held_out = diagnosis::HeldOutGain{std::log(1.21), std::log(1.06), 33.2, 0.83, 0.51, 1.18};
+  d.verdict.winner = d.verdict.answer = 0;
+  d.verdict.gate = diagnosis::PredictiveCheck{41.0, 0.42, 6.0, 0.5, 0.84};
+  d.verdict.set = {0};
+  d.isolability.between.resize(3, 3);
+  d.isolability.between << 0.0, 4.1, 5.6, 3.2, 0.0, 4.4, 1.9, 2.7, 0.0;
+  d.isolability.strength = vector({7.9, 3.6, 2.2});
+  d.best = diagnosis::BestMechanism{
+      0, diagnosis::HeldOutGain{std::log(1.21), std::log(1.06), 33.2, 0.83, 0.51, 1.18}};
   d.variations = {{"parameter ranges x 1/2", "surface_compaction", false},
                   {"parameter ranges x 2", "surface_compaction", false}};
   input.noise = {false, 5, 1.0, 12};
@@ -152,18 +154,18 @@ DiagnosisInput named_case(int soundings) {
 DiagnosisInput nothing_missing_case() {
   DiagnosisInput input = named_case();
   diagnosis::Diagnosis& d = input.diagnosis;
-  input.recorded = d.recalibrated.curve;
+  input.recorded = d.null.recalibrated.curve;
   for (Index i = 0; i < input.recorded.size(); ++i)
-    input.recorded(i) += ripple(d.cells[static_cast<std::size_t>(i)].depth);
-  d.recalibrated.rmse = rmse(input.recorded, d.recalibrated.curve);
+    input.recorded(i) += ripple(d.compared.cells[static_cast<std::size_t>(i)].depth);
+  d.null.recalibrated.rmse = rmse(input.recorded, d.null.recalibrated.curve);
   d.location = {11.3, 6.4, 0.34, {}};
-  d.hypotheses[0].probability = 0.05;
-  d.hypotheses[3].probability = 0.87;
-  d.winner = d.answer = 3;
-  d.null_check = {38.0, 0.4, 6.4, 0.34, 0.68};
-  d.gate = d.null_check;
-  d.set = {3, 4};
-  d.held_out = diagnosis::HeldOutGain{0.04, 0.04, -0.4, -0.01, -0.05, 0.02};
+  d.verdict.hypotheses[0].probability = 0.05;
+  d.verdict.hypotheses[3].probability = 0.87;
+  d.verdict.winner = d.verdict.answer = Explanation::nothing();
+  d.null.check = {38.0, 0.4, 6.4, 0.34, 0.68};
+  d.verdict.gate = d.null.check;
+  d.verdict.set = {Explanation::nothing(), Explanation::unknown()};
+  d.best->held_out = diagnosis::HeldOutGain{0.04, 0.04, -0.4, -0.01, -0.05, 0.02};
   input.soundings[0].recorded = curve([](double z) { return 0.06 + ripple(z); }, 600);
   input.soundings[0].solver.reset();
   return input;
@@ -172,29 +174,29 @@ DiagnosisInput nothing_missing_case() {
 DiagnosisInput none_of_these_case() {
   DiagnosisInput input = named_case();
   diagnosis::Diagnosis& d = input.diagnosis;
-  d.hypotheses[0].probability = 0.1;
-  d.hypotheses[4].probability = 0.83;
-  d.winner = d.answer = 4;
-  d.gate.reset();
-  d.set = {4};
+  d.verdict.hypotheses[0].probability = 0.1;
+  d.verdict.hypotheses[4].probability = 0.83;
+  d.verdict.winner = d.verdict.answer = Explanation::unknown();
+  d.verdict.gate.reset();
+  d.verdict.set = {Explanation::unknown()};
   d.pairs[0].log_evidence = 75.6;
   return input;
 }
 
 DiagnosisInput gate_failed_case() {
   DiagnosisInput input = named_case();
-  input.diagnosis.answer = 4;
-  input.diagnosis.gate = diagnosis::PredictiveCheck{90.0, 0.001, 21.0, 0.004, 0.002};
+  input.diagnosis.verdict.answer = Explanation::unknown();
+  input.diagnosis.verdict.gate = diagnosis::PredictiveCheck{90.0, 0.001, 21.0, 0.004, 0.002};
   return input;
 }
 
 DiagnosisInput indistinguishable_case() {
   DiagnosisInput input = named_case();
   diagnosis::Diagnosis& d = input.diagnosis;
-  d.hypotheses[0].probability = 0.52;
-  d.hypotheses[1].probability = 0.41;
-  d.isolability(0, 1) = 1.2;
-  d.set = {0, 1};
+  d.verdict.hypotheses[0].probability = 0.52;
+  d.verdict.hypotheses[1].probability = 0.41;
+  d.isolability.between(0, 1) = 1.2;
+  d.verdict.set = {0, 1};
   d.next = {{"a second push at 100 kPa", 4.3}, {"the sleeve friction", 1.9}};
   d.variations[1] = {"parameter ranges x 2", "density_lens", true};
   return input;

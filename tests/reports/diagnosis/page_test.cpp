@@ -88,7 +88,8 @@ TEST(DiagnosisNumbers, AreValidJsonWithTheValuesOfTheDiagnosis) {
   EXPECT_GT(json["location"]["mismatches"][0]["above_refitted_Pa"].get<double>(), 0.0);
   EXPECT_NEAR(json["mechanisms"][0]["parameters"][0]["mean"].get<double>(), 14.0, 1e-12);
   EXPECT_NEAR(json["mechanisms"][0]["parameters"][1]["deviation"].get<double>(), 10.0, 1e-12);
-  EXPECT_DOUBLE_EQ(json["rmse"]["recalibrated_ln"].get<double>(), named_case().diagnosis.recalibrated.rmse);
+  EXPECT_DOUBLE_EQ(json["rmse"]["recalibrated_ln"].get<double>(),
+                   named_case().diagnosis.null.recalibrated.rmse);
   EXPECT_DOUBLE_EQ(json["isolability"][0][3].get<double>(), 7.9);
   EXPECT_EQ(json["cells"]["recorded_ln"].size(), 40u);
   EXPECT_EQ(json["soundings"][0]["recorded"]["q_c_Pa"].size(), 600u);
@@ -113,7 +114,6 @@ TEST(DiagnosisFigures, ShowNamesUnitsAndShading) {
 
 TEST(DiagnosisFigures, LegendsNameEveryEffectWhole) {
   DiagnosisInput input = indistinguishable_case();
-  input.diagnosis.with.assign(3, input.diagnosis.with_best);
   for (const char* title :
        {"layer interfaces that lie elsewhere", "a cushion whose stress does not all reach the soil"}) {
     input.mechanisms[1].title = title;
@@ -143,7 +143,7 @@ TEST(DiagnosisFigures, HostileNamesStayText) {
 TEST(DiagnosisPosterior, MarginalsIntegrateToOne) {
   const DiagnosisInput input = named_case();
   for (const auto& [mechanism, k] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}}) {
-    const Marginal m = marginal(input.diagnosis.mechanisms[static_cast<std::size_t>(mechanism)], k);
+    const Marginal m = marginal(input.diagnosis.mechanisms[static_cast<std::size_t>(mechanism)].evidence, k);
     ASSERT_GE(m.phi.size(), 15u);
     double sum = 0.0;
     for (std::size_t i = 1; i < m.phi.size(); ++i)
