@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "diagnosis/departure.hpp"
-#include "diagnosis/design.hpp"
+#include "diagnosis/prior_range.hpp"
 #include "results/files/database.hpp"
 #include "results/files/patience.hpp"
 #include "solver/mechanisms/catalogue.hpp"
@@ -77,8 +77,8 @@ std::vector<FittedParameter> fitted_parameters(const Diagnosis& diagnosis, const
         const auto at = [&](double place) { return prior_value(parameter, place); };
         const auto i = static_cast<Index>(j);
         fitted.push_back({evidence.name, names[j], std::string(parameter.quantity.unit), at(evidence.mean(i)),
-                          evidence.deviation(i) * (parameter.prior_upper - parameter.prior_lower),
-                          at(evidence.lower(i)), at(evidence.upper(i))});
+                          prior_deviation(parameter, evidence.deviation(i)), at(evidence.lower(i)),
+                          at(evidence.upper(i))});
       }
   }
   return fitted;

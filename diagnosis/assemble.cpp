@@ -290,7 +290,7 @@ class Assembler {
   // What another reading of a run differs from the run.
   VectorXd reading_effect(const MechanismDesign& design, const VectorXd& phi,
                           const std::function<int(const Curves&)>& id_in) const {
-    const std::vector<parameters::Change> changes = mechanism_changes(design, phi);
+    const std::vector<parameters::Change> changes = mechanism_changes(*design.mechanism, phi);
     const auto otherwise = joined_run(
         curves_, [&](const Curves& curves) { return curves.read_otherwise(id_in(curves), changes); });
     const auto plain = joined_run(curves_, [&](const Curves& curves) { return curves.of(id_in(curves)); });

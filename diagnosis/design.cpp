@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/prior_range.hpp"
+
 namespace cpt::diagnosis {
 namespace {
 
@@ -40,23 +42,6 @@ DesignPoint repeat(const solver::Setup& baseline, int k) {
            set("numerics.near_height_m", baseline.numerics.near_height * (1.0 + 0.06 * u(2)))}};
 }
 
-// Places of all the study's rows, so that a sounding where one of them is known has the others alike.
-std::vector<parameters::Change> joint_changes(const std::vector<parameters::Row>& rows, const VectorXd& place,
-                                              const std::vector<parameters::Change>& known) {
-  std::vector<parameters::Change> changes;
-  for (std::size_t j = 0; j < rows.size(); ++j) {
-    const parameters::Row& row = rows[j];
-    if (std::ranges::any_of(known, [&](const auto& change) { return change.quantity == row.quantity; }))
-      continue;
-    const double t = place(static_cast<Index>(j));
-    double value = row.lower + t * (row.upper - row.lower);
-    if (!row.quantity->choices.empty()) value = t < 0.5 ? row.lower : row.upper;
-    if (row.quantity->integer) value = std::round(value);
-    changes.push_back({row.quantity, value});
-  }
-  return changes;
-}
-
 // Places of a mechanism of the reading, ends included: its curves cost no run.
 MechanismDesign reading_design(const solver::Mechanism& mechanism, std::size_t joints) {
   constexpr Index places = 21;
@@ -69,9 +54,7 @@ MechanismDesign reading_design(const solver::Mechanism& mechanism, std::size_t j
 
 // The mechanism's parameters alone.
 MechanismDesign design_of(const solver::Mechanism& mechanism, std::vector<DesignPoint>& points) {
-  MechanismDesign design{&mechanism, {}, {}, points.size(), {}};
-  for (std::size_t j = 0; j < mechanism.parameters.size(); ++j)
-    if (mechanism.parameters[j].prior_lower < mechanism.parameters[j].prior_upper) design.varied.push_back(j);
+  MechanismDesign design{&mechanism, varied_parameters(mechanism), {}, points.size(), {}};
   const auto dimensions = static_cast<Index>(design.varied.size());
   const int runs = dimensions == 1 ? 5 : dimensions == 2 ? 9 : 14;
   design.unit.resize(runs, dimensions);
@@ -82,7 +65,7 @@ MechanismDesign design_of(const solver::Mechanism& mechanism, std::vector<Design
     VectorXd u = quasi_random(k, dimensions);
     if (dimensions == 1) u(0) = one_sided ? (k + 1.0) / runs : two_sided[k];
     design.unit.row(k) = u.transpose();
-    points.push_back({fmt::format("{} {}", mechanism.name, k + 1), mechanism_changes(design, u)});
+    points.push_back({fmt::format("{} {}", mechanism.name, k + 1), mechanism_changes(mechanism, u)});
   }
   return design;
 }
@@ -100,27 +83,32 @@ void add_joint(MechanismDesign& design, int runs, const std::vector<parameters::
     if (one_sided) u(0) = 0.5 * (1.0 + u(0));  // at little strength there is little to see
     design.joint_unit.row(k) = u.transpose();
     DesignPoint point{fmt::format("{} joint {}", design.mechanism->name, k + 1),
-                      mechanism_changes(design, u)};
+                      mechanism_changes(*design.mechanism, u)};
     const VectorXd place = quasi_random(first + k, static_cast<Index>(rows.size()));
-    for (const parameters::Change& change : joint_changes(rows, place, known))
-      point.changes.push_back(change);
+    for (const parameters::Change& change : row_changes(rows, place, known)) point.changes.push_back(change);
     points.push_back(std::move(point));
   }
 }
 
 }  // namespace
 
-std::vector<parameters::Change> mechanism_changes(const MechanismDesign& design, const VectorXd& phi) {
+std::vector<parameters::Change> mechanism_changes(const solver::Mechanism& mechanism, const VectorXd& phi) {
   std::vector<parameters::Change> changes;
-  for (std::size_t v = 0; v < design.varied.size(); ++v) {
-    const solver::MechanismParameter& parameter = design.mechanism->parameters[design.varied[v]];
-    changes.push_back({&parameter.quantity, prior_value(parameter, phi(static_cast<Index>(v)))});
+  for (const std::size_t varied : varied_parameters(mechanism)) {
+    const solver::MechanismParameter& parameter = mechanism.parameters[varied];
+    changes.push_back({&parameter.quantity, prior_value(parameter, phi(static_cast<Index>(changes.size())))});
   }
   return changes;
 }
 
-double prior_value(const solver::MechanismParameter& parameter, double place) {
-  return parameter.prior_lower + place * (parameter.prior_upper - parameter.prior_lower);
+// All rows have places, so that a sounding where one of them is known has the others alike.
+std::vector<parameters::Change> row_changes(const std::vector<parameters::Row>& rows, const VectorXd& places,
+                                            const std::vector<parameters::Change>& known) {
+  std::vector<parameters::Change> changes;
+  for (std::size_t j = 0; j < rows.size(); ++j)
+    if (std::ranges::find(known, rows[j].quantity, &parameters::Change::quantity) == known.end())
+      changes.push_back({rows[j].quantity, row_value(rows[j], places(static_cast<Index>(j)))});
+  return changes;
 }
 
 SoundingStudy sounding_study(const parameters::Study& study, const SoundingRequest& sounding,
@@ -153,8 +141,8 @@ SoundingStudy sounding_study(const parameters::Study& study, const SoundingReque
   for (std::size_t k = 0; k < design.joint; ++k)
     own.points.push_back(
         {fmt::format("joint {}", k + 1),
-         joint_changes(study.rows, quasi_random(static_cast<int>(k), static_cast<Index>(study.rows.size())),
-                       sounding.changes)});
+         row_changes(study.rows, quasi_random(static_cast<int>(k), static_cast<Index>(study.rows.size())),
+                     sounding.changes)});
   int drawn = joints;
   for (const solver::Mechanism* mechanism : mechanisms) {
     if (mechanism->of_reading) {

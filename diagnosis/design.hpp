@@ -37,10 +37,12 @@ struct SoundingStudy {
 
 /// The mechanism's varied quantities at phi, their places in the unit cube. The others stay as the study has
 /// them.
-[[nodiscard]] std::vector<parameters::Change> mechanism_changes(const MechanismDesign& design,
+[[nodiscard]] std::vector<parameters::Change> mechanism_changes(const solver::Mechanism& mechanism,
                                                                 const VectorXd& phi);
 
-/// Value of a mechanism's parameter [study units] at a place in the unit interval of its prior.
-[[nodiscard]] double prior_value(const solver::MechanismParameter& parameter, double place);
+/// Values of the rows' quantities at their places between the bounds, but for those that are known.
+[[nodiscard]] std::vector<parameters::Change> row_changes(const std::vector<parameters::Row>& rows,
+                                                          const VectorXd& places,
+                                                          const std::vector<parameters::Change>& known);
 
 }  // namespace cpt::diagnosis

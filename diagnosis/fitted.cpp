@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "diagnosis/prior_range.hpp"
 
 namespace cpt::diagnosis {
 namespace {
@@ -15,12 +16,9 @@ std::vector<Change> changes_at(const VectorXd& place, const Problem& problem,
                                const parameters::Study& study) {
   std::vector<Change> changes;
   for (Index j = 0; j < place.size(); ++j)
-    for (const parameters::Row& row : study.rows) {
-      if (row.quantity->name != problem.parameters[static_cast<std::size_t>(j)].name) continue;
-      double value = row.lower + place(j) * (row.upper - row.lower);
-      if (!row.quantity->choices.empty() || row.quantity->integer) value = std::round(value);
-      changes.push_back({row.quantity, value});
-    }
+    for (const parameters::Row& row : study.rows)
+      if (row.quantity->name == problem.parameters[static_cast<std::size_t>(j)].name)
+        changes.push_back({row.quantity, row_value(row, place(j))});
   return changes;
 }
 
@@ -57,7 +55,7 @@ parameters::Study fitted_study(const Request& request, const SoundingStudy& soun
     const MechanismFit& fit = diagnosis.mechanisms[k];
     parameters::DesignPoint fitted{fitted_point(std::string(design.mechanism->name)),
                                    soil_at(fit.recalibrated.place)};
-    for (const Change& change : mechanism_changes(design, fit.evidence.mode))
+    for (const Change& change : mechanism_changes(*design.mechanism, fit.evidence.mode))
       if (std::ranges::none_of(request.soundings[index].changes, [&](const Change& known) {
             return known.quantity->name == change.quantity->name;
           }))

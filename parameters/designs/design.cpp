@@ -92,6 +92,8 @@ int values_of(const Row& row) {
   return row.quantity->integer ? static_cast<int>(std::lround(row.upper - row.lower)) + 1 : 0;
 }
 
+// Not the diagnosis's row_value: that has other bits where the bounds are of opposite sign, and runs that are
+// stored keep those they were made with.
 double value_at(const Row& row, double place) {
   if (!row.quantity->choices.empty()) return place < 0.5 ? row.lower : row.upper;
   const double value = std::lerp(row.lower, row.upper, place);

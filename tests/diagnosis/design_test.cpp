@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "diagnosis/prior_range.hpp"
 #include "parameters/all_realizations.hpp"
 #include "tests/diagnosis/request_fixture.hpp"
 

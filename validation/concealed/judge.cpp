@@ -4,13 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnosis/prior_range.hpp"
+
 namespace cpt::validation::concealed {
 namespace {
 
 using diagnosis::Assembled, diagnosis::Cell, diagnosis::CurveEmulator, diagnosis::FittedParameter,
     diagnosis::Index, diagnosis::none_of_these, diagnosis::nothing_is_missing, diagnosis::prepare,
     diagnosis::Prepared, diagnosis::prior_value, diagnosis::Problem, diagnosis::StoredAnswer,
-    diagnosis::VectorXd, diagnosis::Whitener;
+    diagnosis::varied_parameters, diagnosis::VectorXd, diagnosis::Whitener;
 
 // What the truth does to ln q_c: by the emulators, or by the effect's own formula on the baseline.
 VectorXd true_effect(const Truth& truth, const Prepared& prepared) {
@@ -70,10 +72,10 @@ std::vector<ParameterCheck> check_parameters(const Truth& truth, const StoredAns
   std::vector<ParameterCheck> checks;
   if (truth.parts.size() != 1 || answer.answer != truth.parts.front().mechanism->name) return checks;
   const Part& part = truth.parts.front();
-  Index varied = 0;
-  for (const solver::MechanismParameter& parameter : part.mechanism->parameters) {
-    if (!(parameter.prior_lower < parameter.prior_upper)) continue;
-    const double value = prior_value(parameter, part.place(varied++));
+  const std::vector<std::size_t> varied = varied_parameters(*part.mechanism);
+  for (std::size_t d = 0; d < varied.size(); ++d) {
+    const solver::MechanismParameter& parameter = part.mechanism->parameters[varied[d]];
+    const double value = prior_value(parameter, part.place(static_cast<Index>(d)));
     for (const FittedParameter& fitted : answer.fitted)
       if (fitted.mechanism == part.mechanism->name && fitted.quantity == parameter.quantity.name)
         checks.push_back({fitted, value});

@@ -7,13 +7,14 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "diagnosis/prior_range.hpp"
 #include "results/ledger/provenance.hpp"
 
 namespace cpt::validation::concealed {
 namespace {
 
-using diagnosis::Index, diagnosis::mechanism_changes, diagnosis::MechanismDesign, diagnosis::Random,
-    diagnosis::Request, diagnosis::SoundingRequest, diagnosis::VectorXd;
+using diagnosis::Index, diagnosis::mechanism_changes, diagnosis::Random, diagnosis::Request,
+    diagnosis::row_changes, diagnosis::SoundingRequest, diagnosis::varied_parameters, diagnosis::VectorXd;
 
 using parameters::Change;
 using Json = nlohmann::json;
@@ -47,15 +48,8 @@ class Rotation {
   std::vector<std::size_t> left_;
 };
 
-MechanismDesign varied_of(const solver::Mechanism& mechanism) {
-  MechanismDesign design{&mechanism, {}, {}, 0, {}};
-  for (std::size_t j = 0; j < mechanism.parameters.size(); ++j)
-    if (mechanism.parameters[j].prior_lower < mechanism.parameters[j].prior_upper) design.varied.push_back(j);
-  return design;
-}
-
 Part draw_part(const solver::Mechanism& mechanism, Random& random) {
-  const auto dimensions = static_cast<Index>(varied_of(mechanism).varied.size());
+  const auto dimensions = static_cast<Index>(varied_parameters(mechanism).size());
   Part part{&mechanism, VectorXd(dimensions)};
   for (Index d = 0; d < dimensions; ++d) part.place(d) = random.uniform();
   return part;
@@ -70,24 +64,11 @@ Numerics draw_numerics(Random& random) {
   return numerics;
 }
 
-double value_at(const parameters::Row& row, double place) {
-  double value = row.lower + place * (row.upper - row.lower);
-  if (!row.quantity->choices.empty()) value = place < 0.5 ? row.lower : row.upper;
-  if (row.quantity->integer) value = std::round(value);
-  return value;
-}
-
 std::vector<Change> changes_of(const Truth& truth, const SoundingRequest& known,
                                const parameters::Study& study, std::size_t sounding) {
-  std::vector<Change> changes;
-  for (std::size_t j = 0; j < study.rows.size(); ++j) {
-    const parameters::Row& row = study.rows[j];
-    if (std::ranges::none_of(known.changes, [&](const Change& c) { return c.quantity == row.quantity; }))
-      changes.push_back({row.quantity, value_at(row, truth.soil(static_cast<Index>(j)))});
-  }
+  std::vector<Change> changes = row_changes(study.rows, truth.soil, known.changes);
   for (const Part& part : truth.parts)
-    for (const Change& change : mechanism_changes(varied_of(*part.mechanism), part.place))
-      changes.push_back(change);
+    for (const Change& change : mechanism_changes(*part.mechanism, part.place)) changes.push_back(change);
   const Numerics& numerics = truth.soundings[sounding];
   const auto set = [&](std::string_view name, double si) {
     const solver::Quantity* quantity = solver::find_quantity(name);
