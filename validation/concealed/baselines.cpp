@@ -36,43 +36,46 @@ double least_over_box(Index dimensions, const Function& rmse_at) {
   return least;
 }
 
+void set_weights(std::vector<LeastSquares::Fit>& fits, double cells) {
+  VectorXd bic(static_cast<Index>(fits.size()));
+  std::ranges::transform(fits, bic.begin(), [&](const LeastSquares::Fit& fit) {
+    return 2.0 * cells * std::log(std::max(fit.rmse, 1e-9)) +
+           static_cast<double>(fit.parameters) * std::log(cells);
+  });
+  VectorXd weights = (-0.5 * (bic.array() - bic.minCoeff())).exp();
+  weights /= weights.sum();
+  for (std::size_t k = 0; k < fits.size(); ++k) fits[k].bic_weight = weights(static_cast<Index>(k));
+}
+
 }  // namespace
 
+const LeastSquares::Fit& LeastSquares::least_rmse() const {
+  const auto mechanisms_end = fits.size() > 1 ? fits.end() - 1 : fits.end();
+  return *std::ranges::min_element(fits.begin(), mechanisms_end, {}, &Fit::rmse);
+}
+
+const LeastSquares::Fit& LeastSquares::greatest_weight() const {
+  return *std::ranges::max_element(fits, {}, &Fit::bic_weight);
+}
+
 LeastSquares least_squares(const Prepared& prepared) {
-  const auto mechanisms = static_cast<Index>(prepared.emulators.size());
   const VectorXd& recorded = prepared.problem.recorded;
-  const auto n = static_cast<double>(recorded.size());
   const Whitener independent(MatrixXd(MatrixXd::Identity(recorded.size(), recorded.size())));
-  const auto fit = [&](const VectorXd& y) {
+  const auto rmse_of = [&](const VectorXd& y) {
     return recalibrate(prepared.null.parameters, y, independent).rmse;
   };
-
-  LeastSquares result;
-  result.rmse.resize(mechanisms + 1);
-  VectorXd bic(mechanisms + 1);
-  const auto criterion = [&](double rmse, Index parameters) {
-    return 2.0 * n * std::log(std::max(rmse, 1e-9)) + static_cast<double>(parameters) * std::log(n);
-  };
-  result.rmse(mechanisms) = fit(recorded);
   const Index soil = prepared.null.parameters.parameters() + 1;  // and the error's size
-  for (Index k = 0; k < mechanisms; ++k) {
-    const CurveEmulator& emulator = prepared.emulators[static_cast<std::size_t>(k)];
+  const double null = rmse_of(recorded);
+  LeastSquares found;
+  for (const CurveEmulator& emulator : prepared.emulators) {
     const double best = least_over_box(emulator.dimensions(), [&](const auto& place) {
-      return fit(recorded - emulator.components() * emulator.scores(MatrixXd(place)));
+      return rmse_of(recorded - emulator.components() * emulator.scores(MatrixXd(place)));
     });
-    result.rmse(k) = std::min(result.rmse(mechanisms), best);
-    bic(k) = criterion(result.rmse(k), soil + emulator.dimensions());
+    found.fits.push_back({emulator.name(), soil + emulator.dimensions(), std::min(null, best), 0.0});
   }
-  bic(mechanisms) = criterion(result.rmse(mechanisms), soil);
-  result.bic_weights = (-0.5 * (bic.array() - bic.minCoeff())).exp();
-  result.bic_weights /= result.bic_weights.sum();
-  Index best = 0;
-  result.bic_weights.maxCoeff(&best);
-  result.best_bic = static_cast<std::size_t>(best);
-  best = 0;
-  if (mechanisms > 0) result.rmse.head(mechanisms).minCoeff(&best);
-  result.best_rmse = static_cast<std::size_t>(best);
-  return result;
+  found.fits.push_back({diagnosis::nothing_is_missing, soil, null, 0.0});
+  set_weights(found.fits, static_cast<double>(recorded.size()));
+  return found;
 }
 
 }  // namespace cpt::validation::concealed

@@ -132,12 +132,9 @@ Judged judge(const std::string& benchmark, const Truth& truth, const StoredAnswe
   }
 
   const LeastSquares simple = least_squares(prepared);
-  const auto name = [&](std::size_t k) {
-    return k < prepared.emulators.size() ? prepared.emulators[k].name() : std::string(nothing_is_missing);
-  };
-  judged.bic = name(simple.best_bic);
-  judged.best_rmse = name(simple.best_rmse);
-  judged.bic_nothing = simple.bic_weights(simple.bic_weights.size() - 1);
+  judged.bic = simple.greatest_weight().name;
+  judged.best_rmse = simple.least_rmse().name;
+  judged.bic_nothing = simple.of_nothing().bic_weight;
   double of_nothing = 0.0, of_unknown = 0.0;
   for (const StoredAnswer::Weighed& hypothesis : answer.hypotheses) {
     if (hypothesis.name == nothing_is_missing) of_nothing = hypothesis.log_evidence;
