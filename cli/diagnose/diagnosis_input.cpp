@@ -21,30 +21,13 @@ std::optional<page::Curve> fitted_curve(const results::Snapshot& campaign, const
   return std::nullopt;
 }
 
-page::MechanismFacts facts_of(const MechanismDesign& design) {
-  const solver::Mechanism& mechanism = *design.mechanism;
-  page::MechanismFacts facts{
-      std::string(mechanism.name), std::string(mechanism.title), std::string(mechanism.signature), {}};
-  for (const std::size_t varied : design.varied) {
-    const solver::MechanismParameter& parameter = mechanism.parameters[varied];
-    const solver::Quantity& quantity = parameter.quantity;
-    facts.parameters.push_back({std::string(quantity.name), std::string(quantity.symbol),
-                                std::string(quantity.unit), std::string(quantity.meaning),
-                                parameter.prior_lower, parameter.prior_upper});
-  }
-  return facts;
-}
-
-page::StudyParameter parameter_of(const parameters::Row& row) {
-  const solver::Quantity& quantity = *row.quantity;
-  page::StudyParameter parameter{std::string(quantity.name),
-                                 std::string(quantity.symbol),
-                                 std::string(quantity.unit),
-                                 row.baseline,
-                                 row.lower,
-                                 row.upper};
-  if (!quantity.choices.empty()) parameter.choices = {quantity.format(row.lower), quantity.format(row.upper)};
-  return parameter;
+// With those parameters alone that are varied.
+solver::Mechanism varied(const MechanismDesign& design) {
+  solver::Mechanism mechanism = *design.mechanism;
+  mechanism.parameters.clear();
+  for (const std::size_t parameter : design.varied)
+    mechanism.parameters.push_back(design.mechanism->parameters[parameter]);
+  return mechanism;
 }
 
 }  // namespace
@@ -62,10 +45,11 @@ page::DiagnosisInput diagnosis_input(const Request& request, const std::vector<S
   input.baseline = assembled.problem.baseline(diagnosis.compared.rows);
   input.noise = {request.measurement > 0.0, static_cast<int>(assembled.problem.repeats.cols()),
                  assembled.problem.numerical_shares, static_cast<int>(assembled.problem.joint.curves.cols())};
-  for (const MechanismDesign& design : assembled.mechanisms) input.mechanisms.push_back(facts_of(design));
+  for (const MechanismDesign& design : assembled.mechanisms) input.mechanisms.push_back(varied(design));
   for (const ParameterEffect& effect : assembled.problem.parameters)
     for (const parameters::Row& row : soundings.front().study.study.rows)
-      if (row.quantity->name == effect.name) input.parameters.push_back(parameter_of(row));
+      if (row.quantity->name == effect.name)
+        input.parameters.push_back({row.quantity, row.baseline, row.lower, row.upper});
 
   page::Provenance& provenance = input.provenance;
   provenance.program_version = results::program_version();

@@ -1,6 +1,7 @@
 // Tables of what was found.
 #include <fmt/format.h>
 
+#include "diagnosis/prior_range.hpp"
 #include "drawing/markdown.hpp"
 #include "drawing/text.hpp"
 #include "reports/diagnosis/errors.hpp"
@@ -9,6 +10,7 @@
 
 namespace cpt::reports::diagnosed {
 
+using diagnosis::prior_deviation, diagnosis::prior_value;
 using drawing::decimals, drawing::number, drawing::table_head, drawing::table_line;
 
 std::string hypotheses_table(const DiagnosisInput& input) {
@@ -57,20 +59,22 @@ std::string fitted_parameters_table(const DiagnosisInput& input) {
                      table_head({"effect", "what to expect", "parameter", "range looked at",
                                  "mean ± standard deviation", "90 % interval", "best"});
   for (const std::size_t k : input.diagnosis.verdict.mechanisms_by_probability()) {
-    const MechanismFacts& facts = input.mechanisms[k];
+    const solver::Mechanism& mechanism = input.mechanisms[k];
     const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[k].evidence;
-    for (std::size_t j = 0; j < facts.parameters.size(); ++j) {
-      const MechanismParameterFacts& p = facts.parameters[j];
+    for (std::size_t j = 0; j < mechanism.parameters.size(); ++j) {
+      const solver::MechanismParameter& p = mechanism.parameters[j];
+      const solver::Quantity& quantity = p.quantity;
       const auto i = static_cast<Index>(j);
-      const auto value = [&](double phi) { return brief(study_value(p, phi)); };
-      const std::string unit = markdown(unit_after(p.unit));
-      text += table_line({j == 0 ? markdown(facts.title) : "", j == 0 ? markdown(facts.signature) : "",
-                          fmt::format("{} ({})", markdown_symbol(p.symbol), markdown(p.name)),
-                          fmt::format("{} to {}{}", brief(p.lower), brief(p.upper), unit),
-                          markdown(with_deviation(study_value(p, fit.mean(i)),
-                                                  study_deviation(p, fit.deviation(i)), p.unit)),
-                          fmt::format("{} to {}{}", value(fit.lower(i)), value(fit.upper(i)), unit),
-                          value(fit.mode(i)) + unit});
+      const auto value = [&](double phi) { return brief(prior_value(p, phi)); };
+      const std::string unit = markdown(unit_after(quantity.unit));
+      text +=
+          table_line({j == 0 ? markdown(mechanism.title) : "", j == 0 ? markdown(mechanism.signature) : "",
+                      fmt::format("{} ({})", markdown_symbol(quantity.symbol), markdown(quantity.name)),
+                      fmt::format("{} to {}{}", brief(p.prior_lower), brief(p.prior_upper), unit),
+                      markdown(with_deviation(prior_value(p, fit.mean(i)),
+                                              prior_deviation(p, fit.deviation(i)), quantity.unit)),
+                      fmt::format("{} to {}{}", value(fit.lower(i)), value(fit.upper(i)), unit),
+                      value(fit.mode(i)) + unit});
     }
   }
   return text + "\n";

@@ -46,15 +46,13 @@ std::string study_parameters_table(const DiagnosisInput& input) {
   text += table_head(head);
   for (Index j = 0; j < parameters; ++j) {
     const StudyParameter& p = input.parameters[static_cast<std::size_t>(j)];
-    const bool choice = p.choices.size() == 2;
-    const std::string unit = choice ? "" : markdown(unit_after(p.unit));
-    const auto value = [&](double place) {
-      return choice ? markdown(p.choices[place < 0.5 ? 0 : 1]) : brief(study_value(p, place)) + unit;
-    };
-    std::vector<std::string> cells{fmt::format("{} ({})", markdown_symbol(p.symbol), markdown(p.name)),
-                                   choice ? value(0.0) + " or " + value(1.0)
-                                          : fmt::format("{} to {}{}", brief(p.lower), brief(p.upper), unit),
-                                   value(baseline_place(p))};
+    const std::string unit = p.is_choice() ? "" : markdown(unit_after(p.quantity->unit));
+    const auto value = [&](double place) { return markdown(value_text(p, place)) + unit; };
+    std::vector<std::string> cells{
+        fmt::format("{} ({})", markdown_symbol(p.quantity->symbol), markdown(p.quantity->name)),
+        p.is_choice() ? value(0.0) + " or " + value(1.0)
+                      : fmt::format("{} to {}{}", brief(p.lower), brief(p.upper), unit),
+        value(baseline_place(p))};
     const auto add = [&](const diagnosis::Recalibration& fit) {
       cells.push_back(with_deviation(fit.place(j), fit.deviation(j), "-"));
       cells.push_back(value(fit.place(j)));

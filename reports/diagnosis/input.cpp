@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "reports/diagnosis/words.hpp"
+
 namespace cpt::reports::diagnosed {
 namespace {
 
@@ -12,15 +14,13 @@ void want(bool good, const std::string& problem) {
 
 void check_mechanisms(const DiagnosisInput& input) {
   const diagnosis::Diagnosis& d = input.diagnosis;
-  want(input.mechanisms.size() == d.mechanisms.size(),
-       "facts of another number of mechanisms than were diagnosed");
+  want(input.mechanisms.size() == d.mechanisms.size(), "another number of mechanisms than were diagnosed");
   for (std::size_t k = 0; k < d.mechanisms.size(); ++k) {
-    const MechanismFacts& facts = input.mechanisms[k];
     const diagnosis::MechanismEvidence& fit = d.mechanisms[k].evidence;
-    want(facts.name == fit.name, "mechanism " + facts.name + " is in another order");
-    const auto dimensions = static_cast<Index>(facts.parameters.size());
+    want(input.mechanisms[k].name == fit.name, "mechanism " + fit.name + " is in another order");
+    const auto dimensions = static_cast<Index>(input.mechanisms[k].parameters.size());
     for (const VectorXd* v : {&fit.mean, &fit.deviation, &fit.mode, &fit.lower, &fit.upper})
-      want(v->size() == dimensions, "mechanism " + facts.name + " has another number of parameters");
+      want(v->size() == dimensions, "mechanism " + fit.name + " has another number of parameters");
   }
   const auto k = static_cast<Index>(d.mechanisms.size());
   want(d.isolability.between.rows() == k && d.isolability.between.cols() == k &&
@@ -38,7 +38,7 @@ void check_verdict(const DiagnosisInput& input) {
        "that nothing is missing, or that none of these is, was not weighed");
   for (std::size_t k = 0; k < input.mechanisms.size(); ++k)
     want(weighed(k) && verdict.of(k).name == input.mechanisms[k].name,
-         "mechanism " + input.mechanisms[k].name + " was not weighed");
+         "mechanism " + std::string(input.mechanisms[k].name) + " was not weighed");
   want(weighed(verdict.winner) && weighed(verdict.answer), "an answer beyond the hypotheses");
   want(std::ranges::all_of(verdict.set, weighed), "the set holds what is no hypothesis");
 }
@@ -76,22 +76,14 @@ void check(const DiagnosisInput& input) {
 }
 
 std::string title_of(const DiagnosisInput& input, Explanation explanation) {
-  return explanation.is_mechanism() ? input.mechanisms[explanation.mechanism()].title
+  return explanation.is_mechanism() ? std::string(input.mechanisms[explanation.mechanism()].title)
                                     : input.diagnosis.verdict.of(explanation).name;
 }
 
 std::string title_of(const DiagnosisInput& input, const std::string& name) {
-  for (const MechanismFacts& facts : input.mechanisms)
-    if (facts.name == name) return facts.title;
+  for (const solver::Mechanism& mechanism : input.mechanisms)
+    if (mechanism.name == name) return std::string(mechanism.title);
   return name;
-}
-
-double study_value(const MechanismParameterFacts& parameter, double phi) {
-  return parameter.lower + phi * (parameter.upper - parameter.lower);
-}
-
-double study_deviation(const MechanismParameterFacts& parameter, double deviation) {
-  return deviation * (parameter.upper - parameter.lower);
 }
 
 double baseline_place(const StudyParameter& parameter) {
@@ -101,6 +93,11 @@ double baseline_place(const StudyParameter& parameter) {
 
 double study_value(const StudyParameter& parameter, double place) {
   return parameter.lower + place * (parameter.upper - parameter.lower);
+}
+
+std::string value_text(const StudyParameter& parameter, double place) {
+  return parameter.is_choice() ? parameter.quantity->format(place < 0.5 ? parameter.lower : parameter.upper)
+                               : brief(study_value(parameter, place));
 }
 
 std::vector<std::size_t> rivals(const DiagnosisInput& input) {

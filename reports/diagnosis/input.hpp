@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnosis/diagnose.hpp"
+#include "solver/mechanisms/mechanism.hpp"
 
 namespace cpt::reports::diagnosed {
 
@@ -29,23 +30,12 @@ struct Sounding {
   std::optional<Curve> solver;  ///< the fitted mechanism and parameters, run in the full solver
 };
 
-/// A parameter of a mechanism; phi in [0, 1] is its place between the ends of its prior range.
-struct MechanismParameterFacts {
-  std::string name, symbol, unit, meaning;  ///< "surface_compaction.decay_mm", "ℓ", "mm", one line
-  double lower, upper;                      // [study units]
-};
-
-/// A mechanism, as the catalogue has it.
-struct MechanismFacts {
-  std::string name, title, signature;
-  std::vector<MechanismParameterFacts> parameters;  ///< in the order of phi
-};
-
 /// A parameter of the study, which the null may move between its bounds.
 struct StudyParameter {
-  std::string name, symbol, unit;
-  double baseline, lower, upper;          // [study units]
-  std::vector<std::string> choices = {};  ///< names of the two ends; empty for a number
+  const solver::Quantity* quantity;
+  double baseline, lower, upper;  // [study units]
+
+  [[nodiscard]] bool is_choice() const { return !quantity->choices.empty(); }
 };
 
 /// Where the noise model comes from.
@@ -73,8 +63,9 @@ struct DiagnosisInput {
   std::string title;  ///< of the page
   std::vector<Sounding> soundings;
   std::vector<StudyParameter> parameters;  ///< in the order of the problem's
-  std::vector<MechanismFacts> mechanisms;  ///< in the order of the problem's
-  diagnosis::Options options;              ///< that the diagnosis was made with
+  /// In the order of the problem's. Their parameters are those that are varied, in the order of phi.
+  std::vector<solver::Mechanism> mechanisms;
+  diagnosis::Options options;  ///< that the diagnosis was made with
   diagnosis::Diagnosis diagnosis;
   VectorXd recorded, baseline;  // [ln q_c] of the problem, on the diagnosis's cells
   NoiseFacts noise;
@@ -89,14 +80,12 @@ void check(const DiagnosisInput& input);
 /// The same by its name; the name itself if it is unknown.
 [[nodiscard]] std::string title_of(const DiagnosisInput& input, const std::string& name);
 
-/// phi in study units, and a standard deviation of phi.
-[[nodiscard]] double study_value(const MechanismParameterFacts& parameter, double phi);
-[[nodiscard]] double study_deviation(const MechanismParameterFacts& parameter, double deviation);
-
 /// Place in [0, 1] of the baseline between a study parameter's bounds.
 [[nodiscard]] double baseline_place(const StudyParameter& parameter);
-/// A place between the bounds in study units.
+/// A place between the bounds in study units; a whole number is not rounded.
 [[nodiscard]] double study_value(const StudyParameter& parameter, double place);
+/// The same for people, without the unit; of a choice the name of the nearer end.
+[[nodiscard]] std::string value_text(const StudyParameter& parameter, double place);
 
 /// Mechanisms that the recording does not tell from the best one: the rest of the answer's set, the most
 /// probable first, at most as many as the figures have colours for.

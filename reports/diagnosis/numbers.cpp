@@ -2,12 +2,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "diagnosis/prior_range.hpp"
 #include "reports/diagnosis/answer.hpp"
 #include "reports/diagnosis/errors.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
 
+using diagnosis::prior_deviation, diagnosis::prior_value;
 using Json = nlohmann::ordered_json;
 
 Json array(const VectorXd& v) { return std::vector<double>(v.data(), v.data() + v.size()); }
@@ -58,26 +60,26 @@ Json answer_part(const DiagnosisInput& input) {
 }
 
 Json mechanism_part(const DiagnosisInput& input, std::size_t k) {
-  const MechanismFacts& facts = input.mechanisms[k];
+  const solver::Mechanism& mechanism = input.mechanisms[k];
   const diagnosis::MechanismEvidence& fit = input.diagnosis.mechanisms[k].evidence;
   Json parameters = Json::array();
-  for (std::size_t j = 0; j < facts.parameters.size(); ++j) {
-    const MechanismParameterFacts& p = facts.parameters[j];
+  for (std::size_t j = 0; j < mechanism.parameters.size(); ++j) {
+    const solver::MechanismParameter& p = mechanism.parameters[j];
     const auto i = static_cast<Index>(j);
-    parameters.push_back({{"name", p.name},
-                          {"unit", p.unit},
-                          {"range", {p.lower, p.upper}},
-                          {"mean", study_value(p, fit.mean(i))},
-                          {"deviation", study_deviation(p, fit.deviation(i))},
-                          {"best", study_value(p, fit.mode(i))},
-                          {"interval_90", {study_value(p, fit.lower(i)), study_value(p, fit.upper(i))}},
+    parameters.push_back({{"name", p.quantity.name},
+                          {"unit", p.quantity.unit},
+                          {"range", {p.prior_lower, p.prior_upper}},
+                          {"mean", prior_value(p, fit.mean(i))},
+                          {"deviation", prior_deviation(p, fit.deviation(i))},
+                          {"best", prior_value(p, fit.mode(i))},
+                          {"interval_90", {prior_value(p, fit.lower(i)), prior_value(p, fit.upper(i))}},
                           {"phi_mean", fit.mean(i)},
                           {"phi_deviation", fit.deviation(i)},
                           {"phi_best", fit.mode(i)}});
   }
-  return {{"name", facts.name},
-          {"title", facts.title},
-          {"signature", facts.signature},
+  return {{"name", mechanism.name},
+          {"title", mechanism.title},
+          {"signature", mechanism.signature},
           {"log_evidence", fit.log_evidence},
           {"parameters", std::move(parameters)}};
 }
@@ -86,8 +88,8 @@ Json study_part(const DiagnosisInput& input, const diagnosis::Recalibration& fit
   Json list = Json::array();
   for (Index j = 0; j < fit.place.size(); ++j) {
     const StudyParameter& p = input.parameters[static_cast<std::size_t>(j)];
-    list.push_back({{"name", p.name},
-                    {"unit", p.unit},
+    list.push_back({{"name", p.quantity->name},
+                    {"unit", p.quantity->unit},
                     {"bounds", {p.lower, p.upper}},
                     {"baseline", p.baseline},
                     {"place", fit.place(j)},

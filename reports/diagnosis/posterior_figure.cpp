@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/prior_range.hpp"
 #include "drawing/axis.hpp"
 #include "drawing/palette.hpp"
 #include "reports/depth_plot.hpp"
@@ -14,6 +15,7 @@
 namespace cpt::reports::diagnosed {
 namespace {
 
+using diagnosis::prior_deviation, diagnosis::prior_value;
 using drawing::Anchor, drawing::Axis, drawing::Box, drawing::Edge, drawing::plain, drawing::Point,
     drawing::Rich, drawing::Svg, drawing::symbolic;
 namespace palette = drawing::palette;
@@ -22,19 +24,19 @@ constexpr double side_margin = 20.0, panel_gap = 24.0, posterior_width = 190.0, 
                  posterior_top = 66.0;
 constexpr std::string_view interval_fill = "#f7dcc8";
 
-Rich axis_title(const MechanismParameterFacts& parameter) {
-  const std::string unit = unit_after(parameter.unit);
-  return symbolic(parameter.symbol) + plain(unit.empty() ? "" : " (" + unit.substr(1) + ")");
+Rich axis_title(const solver::Quantity& quantity) {
+  const std::string unit = unit_after(quantity.unit);
+  return symbolic(quantity.symbol) + plain(unit.empty() ? "" : " (" + unit.substr(1) + ")");
 }
 
-void draw_panel(Svg& svg, const Box& box, const MechanismParameterFacts& parameter,
+void draw_panel(Svg& svg, const Box& box, const solver::MechanismParameter& parameter,
                 const diagnosis::MechanismEvidence& fit, Index k) {
-  const Axis across{std::min(parameter.lower, parameter.upper), std::max(parameter.lower, parameter.upper),
-                    box.x, box.right()};
-  const auto x_of = [&](double phi) { return across(study_value(parameter, phi)); };
+  const auto [least, greatest] = std::minmax(parameter.prior_lower, parameter.prior_upper);
+  const Axis across{least, greatest, box.x, box.right()};
+  const auto x_of = [&](double phi) { return across(prior_value(parameter, phi)); };
   const double a = x_of(fit.lower(k)), b = x_of(fit.upper(k));
   svg.rectangle({std::min(a, b), box.y, std::abs(b - a), box.height}, interval_fill);
-  draw_horizontal(svg, box, across, Edge::bottom, axis_title(parameter), 4);
+  draw_horizontal(svg, box, across, Edge::bottom, axis_title(parameter.quantity), 4);
 
   const Marginal posterior = marginal(fit, k);
   double most = 2.0;  // the prior's density is 1
@@ -56,9 +58,10 @@ void draw_panel(Svg& svg, const Box& box, const MechanismParameterFacts& paramet
   svg.line({x_of(fit.mean(k)), box.y}, {x_of(fit.mean(k)), box.bottom()}, {palette::ink, 0.8, {}});
   svg.end_clip();
   svg.frame(box, {palette::ink, 0.6, {}});
-  const std::string value = with_deviation(study_value(parameter, fit.mean(k)),
-                                           study_deviation(parameter, fit.deviation(k)), parameter.unit);
-  svg.text({box.x + 0.5 * box.width, box.y - 6.0}, symbolic(parameter.symbol) + plain(" = " + value),
+  const std::string value =
+      with_deviation(prior_value(parameter, fit.mean(k)), prior_deviation(parameter, fit.deviation(k)),
+                     parameter.quantity.unit);
+  svg.text({box.x + 0.5 * box.width, box.y - 6.0}, symbolic(parameter.quantity.symbol) + plain(" = " + value),
            {.size = 8.5, .anchor = Anchor::middle, .bold = true});
 }
 

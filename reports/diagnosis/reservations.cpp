@@ -55,9 +55,9 @@ std::string at_bounds(const DiagnosisInput& input) {
   for (std::size_t j = 0; j < input.parameters.size(); ++j) {
     const StudyParameter& p = input.parameters[j];
     const double place = fit.place(static_cast<Index>(j));
-    if (p.choices.empty() && (place < 0.005 || place > 0.995))
-      ends.push_back(
-          fmt::format("{} = {}{}", p.symbol, brief(place < 0.5 ? p.lower : p.upper), unit_after(p.unit)));
+    if (!p.is_choice() && (place < 0.005 || place > 0.995))
+      ends.push_back(fmt::format("{} = {}{}", p.quantity->symbol, brief(place < 0.5 ? p.lower : p.upper),
+                                 unit_after(p.quantity->unit)));
   }
   std::string text;
   if (!ends.empty())

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/prior_range.hpp"
 #include "drawing/text.hpp"
 #include "reports/diagnosis/errors.hpp"
 #include "reports/diagnosis/sentences.hpp"
@@ -11,6 +12,8 @@
 
 namespace cpt::reports::diagnosed {
 namespace {
+
+using diagnosis::prior_deviation, diagnosis::prior_value;
 
 constexpr double vague = 0.22;  // standard deviation of phi; that of the prior is 0.29
 
@@ -22,11 +25,12 @@ std::string fitted_parameters(const DiagnosisInput& input, std::size_t mechanism
   const auto& parameters = input.mechanisms[mechanism].parameters;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const auto i = static_cast<Index>(k);
+    const solver::Quantity& quantity = parameters[k].quantity;
     parts.push_back(
-        fmt::format("{} = {}{}", parameters[k].symbol,
-                    with_deviation(study_value(parameters[k], fit.mean(i)),
-                                   study_deviation(parameters[k], fit.deviation(i)), parameters[k].unit),
-                    parameters[k].meaning.empty() ? "" : " (" + parameters[k].meaning + ")"));
+        fmt::format("{} = {}{}", quantity.symbol,
+                    with_deviation(prior_value(parameters[k], fit.mean(i)),
+                                   prior_deviation(parameters[k], fit.deviation(i)), quantity.unit),
+                    quantity.meaning.empty() ? "" : fmt::format(" ({})", quantity.meaning)));
   }
   return listed(parts);
 }
@@ -37,7 +41,7 @@ std::string weak_parameters(const DiagnosisInput& input, std::size_t mechanism) 
   const auto& parameters = input.mechanisms[mechanism].parameters;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const auto i = static_cast<Index>(k);
-    if (fit.deviation(i) > vague) untold.push_back(parameters[k].symbol);
+    if (fit.deviation(i) > vague) untold.push_back(parameters[k].quantity.symbol);
   }
   return untold.empty() ? "" : fmt::format("The recording says little about {}.", listed(untold));
 }
@@ -49,7 +53,7 @@ std::string at_ends(const DiagnosisInput& input, std::size_t mechanism) {
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const auto i = static_cast<Index>(k);
     if (fit.deviation(i) <= vague && (fit.mode(i) < 0.02 || fit.mode(i) > 0.98))
-      ends.push_back(parameters[k].symbol);
+      ends.push_back(parameters[k].quantity.symbol);
   }
   return ends.empty()
              ? ""

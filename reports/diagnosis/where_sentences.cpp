@@ -44,17 +44,13 @@ std::string what_the_mean_hides(const diagnosis::Departure& on, const diagnosis:
   return text;
 }
 
-std::string value_of(const StudyParameter& parameter, double place) {
-  if (parameter.choices.size() == 2) return parameter.choices[place < 0.5 ? 0 : 1];
-  return brief(study_value(parameter, place));
-}
-
 std::string move_of(const DiagnosisInput& input, std::size_t j) {
   const StudyParameter& p = input.parameters[j];
   const double place = input.diagnosis.null.recalibrated.place(static_cast<Index>(j));
-  const bool at_bound = p.choices.empty() && (place < 0.005 || place > 0.995);
-  return fmt::format("{} from {} to {}{}{}", p.symbol, value_of(p, baseline_place(p)), value_of(p, place),
-                     p.choices.empty() ? unit_after(p.unit) : "", at_bound ? ", its bound" : "");
+  const bool at_bound = !p.is_choice() && (place < 0.005 || place > 0.995);
+  return fmt::format("{} from {} to {}{}{}", p.quantity->symbol, value_text(p, baseline_place(p)),
+                     value_text(p, place), p.is_choice() ? "" : unit_after(p.quantity->unit),
+                     at_bound ? ", its bound" : "");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(DiagnosisAnswer, NamesOneEffectWithPlaceSizeFitAndProof) {
          "study's parameters refitted (p < 0.001).");
   expect(text,
          "Sand compacted near the surface can explain the difference (probability 0.93): ΔDᵣ = 14 ± 3 % "
-         "(increase of the relative density at the soil's top) and ℓ = 60 ± 10 mm");
+         "(increase of the relative density at the soil's top, fading downward) and ℓ = 60 ± 10 mm");
   expect(text, "A looser or denser lens in the sand cannot (probability 0.01).");
   expect(text,
          "Curves drawn with sand compacted near the surface in the simulation look like the recording "

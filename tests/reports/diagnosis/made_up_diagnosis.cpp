@@ -4,6 +4,7 @@
 
 #include "diagnosis/quadrature.hpp"
 #include "reports/diagnosis/errors.hpp"
+#include "solver/mechanisms/catalogue.hpp"
 
 namespace cpt::reports::diagnosed {
 namespace {
@@ -55,24 +56,11 @@ diagnosis::MechanismEvidence evidence(const std::string& name, double log_eviden
   return e;
 }
 
-std::vector<MechanismFacts> catalogue() {
-  return {{"surface_compaction",
-           "sand compacted near the surface",
-           "q_c is higher near the top, and the difference fades downward over a few decay lengths.",
-           {{"surface_compaction.increase_percent", "ΔDᵣ", "%",
-             "increase of the relative density at the soil's top", 0.0, 40.0},
-            {"surface_compaction.decay_mm", "ℓ", "mm", "depth over which the increase falls to 1/e", 20.0,
-             120.0}}},
-          {"density_lens",
-           "a looser or denser lens in the sand",
-           "q_c is lower or higher over the lens and about three cone diameters to either side.",
-           {{"density_lens.change_percent", "ΔDᵣ,lens", "%", "change of the relative density", -25.0, 25.0},
-            {"density_lens.centre_mm", "z_lens", "mm", "depth of the lens's middle", 60.0, 300.0},
-            {"density_lens.thickness_mm", "t_lens", "mm", "thickness of the lens", 30.0, 120.0}}},
-          {"depth_datum",
-           "a shifted depth datum",
-           "the whole curve moves up or down: largest differences where q_c changes fastest.",
-           {{"depth_datum.shift_mm", "Δz_datum", "mm", "recorded less true depth", -25.0, 25.0}}}};
+std::vector<solver::Mechanism> catalogue() {
+  std::vector<solver::Mechanism> mechanisms;
+  for (const char* name : {"surface_compaction", "density_lens", "depth_datum"})
+    mechanisms.push_back(*solver::find_mechanism(name));
+  return mechanisms;
 }
 
 void add_cells(DiagnosisInput& input, diagnosis::Recalibration& with, int soundings) {
@@ -106,9 +94,9 @@ DiagnosisInput named_case(int soundings) {
                                curve([](double z) { return compaction(z) + ripple(z); }, 600),
                                curve([](double) { return 0.0; }, 120),
                                curve([](double z) { return 0.95 * compaction(z); }, 120)});
-  input.parameters = {{"sand.relative_density_percent", "Dᵣ", "%", 60.0, 50.0, 70.0},
-                      {"sand.sigma_h0_kPa", "σ'ₕ₀", "kPa", 35.0, 30.0, 40.0},
-                      {"chamber.wall", "wall", "-", 0.0, 0.0, 1.0, {"rigid", "flexible"}}};
+  input.parameters = {{solver::find_quantity("sand.D_r_percent"), 60.0, 50.0, 70.0},
+                      {solver::find_quantity("initial.sigma_h0_kPa"), 35.0, 30.0, 40.0},
+                      {solver::find_quantity("chamber.wall"), 0.0, 0.0, 1.0}};
   input.mechanisms = catalogue();
   diagnosis::Recalibration with;  // the null beside any mechanism
   add_cells(input, with, soundings);
