@@ -188,8 +188,8 @@ class RequestReader {
       if (fixed->value.kind != Value::Kind::table)
         errors_.add(fixed->place, joined(list, "fixed"), "must be a table of quantities and values");
       else
-        for (const Setting& setting :
-             read_settings(fixed->value, joined(list, "fixed"), {}, study_.baseline, !known_, errors_))
+        for (const Setting& setting : read_settings(fixed->value, joined(list, "fixed"), {}, study_.baseline,
+                                                    {.layers = !known_}, errors_))
           sounding.changes.push_back({setting.quantity, setting.value});
       if (known_) check_bounds(fixed->place, joined(list, "fixed"), sounding);
     }

@@ -55,7 +55,7 @@ std::string listed(std::span<const std::string_view> names) {
 }
 
 bool refuse_unknown_keys(const Value& table, std::string_view prefix, std::span<const std::string_view> known,
-                         ErrorList& errors) {
+                         ErrorList& errors, std::string_view hint) {
   bool all_known = true;
   for (const Member& member : table.members) {
     if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
@@ -63,7 +63,7 @@ bool refuse_unknown_keys(const Value& table, std::string_view prefix, std::span<
     const std::string_view near = nearest_name(member.key, known);
     errors.add(member.place, joined(prefix, member.key),
                fmt::format("unknown key; known are {}", listed(known)),
-               near.empty() ? "" : fmt::format("did you mean {}?", near));
+               near.empty() ? std::string(hint) : fmt::format("did you mean {}?", near));
   }
   return all_known;
 }
@@ -106,6 +106,10 @@ std::optional<std::string> text_field(const Value& table, std::string_view prefi
 std::optional<std::string> name_field(const Value& table, std::string_view prefix, std::string_view key,
                                       bool required, std::span<const std::string_view> names,
                                       ErrorList& errors) {
+  if (required && table.find(key) == nullptr) {
+    errors.add(table.place, joined(prefix, key), "is missing", fmt::format("one of {}", listed(names)));
+    return std::nullopt;
+  }
   std::optional<std::string> text = text_field(table, prefix, key, required, errors);
   if (!text || std::find(names.begin(), names.end(), *text) != names.end()) return text;
   const std::string_view near = nearest_name(*text, names);

@@ -35,9 +35,10 @@ class ErrorList {
 /// "a, b, c"
 [[nodiscard]] std::string listed(std::span<const std::string_view> names);
 
-/// An error for each key of the table that is not among the known ones; true if there is none.
+/// An error for each key of the table that is not among the known ones, with the hint where none of these is
+/// near; true if there is none.
 bool refuse_unknown_keys(const Value& table, std::string_view prefix, std::span<const std::string_view> known,
-                         ErrorList& errors);
+                         ErrorList& errors, std::string_view hint = "");
 
 // Each gives nothing after an error, or if `required` is false and the field is not there.
 [[nodiscard]] std::optional<double> number_field(const Value& table, std::string_view prefix,

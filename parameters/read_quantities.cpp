@@ -9,7 +9,9 @@
 #include <numbers>
 
 #include "parameters/nearest_name.hpp"
+#include "parameters/read_soils.hpp"
 #include "parameters/study_keys.hpp"
+#include "solver/soils/law.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -92,68 +94,87 @@ bool is_group(std::string_view name, const solver::Setup& setup) {
   });
 }
 
-void refuse_unknown_quantity(std::string_view section_name, const std::string& name, Place place,
-                             const solver::Setup& setup, ErrorList& errors) {
-  const std::string_view near = nearest_quantity(name, setup);
-  if (is_group(name, setup))
-    return errors.add(place, joined(section_name, name), "is a group of quantities",
-                      fmt::format("name one of them: {}.NAME", name));
-  std::string hint = "`campaign list quantities` prints all of them";
+// "s_u_kPa is a parameter of tresca, and the soils are loose (norsand), soft (tresca)", of a law's parameter
+// that the soil does not have.
+std::string laws_hint(std::string_view name, const solver::Setup& setup) {
+  const std::string_view parameter = name.substr(name.find('.') + 1);
+  std::vector<std::string_view> laws;
+  for (const solver::Law* law : solver::all_laws())
+    if (std::ranges::find(law->quantities(), parameter, &solver::LawQuantity::name) !=
+        law->quantities().end())
+      laws.push_back(law->name());
+  if (laws.empty()) return "";
+  std::string soils;
+  for (const solver::Soil& soil : setup.soils)
+    soils += fmt::format("{}{} ({})", soils.empty() ? "" : ", ", soil.name, solver::law_of(soil).name());
+  return fmt::format("{} is a parameter of {}; the soils are {}", parameter, listed(laws), soils);
+}
+
+std::string hint_for_unknown(std::string_view name, const solver::Setup& setup) {
   if (name == "layers" || name == "numerics.zones" || name == "zones")
-    hint = fmt::format("give a [[{}]] table for each", name == "layers" ? "layers" : "zones");
-  else if (!near.empty())
-    hint = fmt::format("did you mean {}?", near);
-  errors.add(place, joined(section_name, name), "unknown quantity", std::move(hint));
-}
-
-// Quantities of a section in file order; groups may be spelt as nested tables.
-void collect(const Value& table, std::string_view section_name, const std::string& prefix,
-             std::span<const std::string_view> except, const solver::Setup& setup, std::vector<Named>& found,
-             ErrorList& errors) {
-  for (const Member& member : table.members) {
-    const std::string name = joined(prefix, member.key);
-    if (std::find(except.begin(), except.end(), name) != except.end()) continue;
-    const Quantity* quantity = solver::find_quantity(name, setup);
-    if (quantity != nullptr)
-      found.push_back({quantity, &member, joined(section_name, name)});
-    else if (member.value.kind == Value::Kind::table && is_group(name, setup))
-      collect(member.value, section_name, name, except, setup, found, errors);
-    else
-      refuse_unknown_quantity(section_name, name, member.place, setup, errors);
-  }
-}
-
-std::vector<Named> named_quantities(const Value& table, std::string_view section_name,
-                                    std::span<const std::string_view> except, const solver::Setup& setup,
-                                    ErrorList& errors) {
-  std::vector<Named> found;
-  collect(table, section_name, "", except, setup, found, errors);
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Named& a, const Named& b) { return a.member->place < b.member->place; });
-  return found;
+    return fmt::format("give a [[{}]] table for each", name == "layers" ? "layers" : "zones");
+  const std::string_view near = nearest_quantity(name, setup);
+  const bool same_parameter = near.substr(near.find('.') + 1) == name.substr(name.find('.') + 1);
+  if (const std::string laws = laws_hint(name, setup); !laws.empty() && !same_parameter) return laws;
+  return near.empty() ? "`campaign list quantities` prints all of them"
+                      : fmt::format("did you mean {}?", near);
 }
 
 class QuantitiesReader {
  public:
-  QuantitiesReader(const solver::Setup& setup, bool any_soil, ErrorList& errors)
-      : setup_(setup), any_soil_(any_soil), errors_(errors) {}
+  QuantitiesReader(const solver::Setup& setup, const SoilDoubts& doubts, ErrorList& errors)
+      : setup_(setup), doubts_(doubts), errors_(errors) {}
 
   QuantitySections read(const Value& root) {
     if (const Value* table = section(root, "fixed", errors_)) read_settings(*table, "fixed", {});
     if (const Value* table = section(root, "parameters", errors_))
-      for (const Named& named : named_quantities(*table, "parameters", {}, setup_, errors_))
+      for (const Named& named : named_quantities(*table, "parameters", {}))
         if (acceptable(named)) read_row(named);
     return std::move(sections_);
   }
 
   std::vector<Setting> read_settings(const Value& table, std::string_view section_name,
                                      std::span<const std::string_view> except) {
-    for (const Named& named : named_quantities(table, section_name, except, setup_, errors_))
+    for (const Named& named : named_quantities(table, section_name, except))
       if (acceptable(named)) read_fixed(named);
     return sections_.settings;
   }
 
  private:
+  std::vector<Named> named_quantities(const Value& table, std::string_view section_name,
+                                      std::span<const std::string_view> except) {
+    std::vector<Named> found;
+    collect(table, section_name, "", except, found);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Named& a, const Named& b) { return a.member->place < b.member->place; });
+    return found;
+  }
+
+  // Quantities of a section in file order; groups may be spelt as nested tables.
+  void collect(const Value& table, std::string_view section_name, const std::string& prefix,
+               std::span<const std::string_view> except, std::vector<Named>& found) {
+    for (const Member& member : table.members) {
+      const std::string name = joined(prefix, member.key);
+      if (std::find(except.begin(), except.end(), name) != except.end()) continue;
+      const Quantity* quantity = solver::find_quantity(name, setup_);
+      if (quantity != nullptr)
+        found.push_back({quantity, &member, joined(section_name, name)});
+      else if (member.value.kind == Value::Kind::table && is_group(name, setup_))
+        collect(member.value, section_name, name, except, found);
+      else
+        refuse_unknown(section_name, name, member.place);
+    }
+  }
+
+  void refuse_unknown(std::string_view section_name, const std::string& name, Place place) {
+    if (doubts_.soils && !is_group_beside_soils(name.substr(0, name.find('.')))) return;
+    if (is_group(name, setup_))
+      errors_.add(place, joined(section_name, name), "is a group of quantities",
+                  fmt::format("name one of them: {}.NAME", name));
+    else
+      errors_.add(place, joined(section_name, name), "unknown quantity", hint_for_unknown(name, setup_));
+  }
+
   // Named once, and of a soil that the profile contains.
   bool acceptable(const Named& named) {
     const auto [first, inserted] = first_.try_emplace(named.quantity, named.key, named.member->place);
@@ -163,7 +184,7 @@ class QuantitiesReader {
                   fmt::format("is already given as {} in line {}", key, place.line), "keep one of the two");
       return false;
     }
-    if (any_soil_ || solver::matters(*named.quantity, setup_)) return true;
+    if (doubts_.layers || solver::matters(*named.quantity, setup_)) return true;
     const std::string& soil = named.quantity->soil;
     errors_.add(named.member->place, named.key,
                 soil.empty() ? fmt::format("has no effect: it acts on {}, and no layer is of that",
@@ -258,7 +279,7 @@ class QuantitiesReader {
   }
 
   const solver::Setup& setup_;
-  bool any_soil_;
+  const SoilDoubts& doubts_;
   ErrorList& errors_;
   QuantitySections sections_;
   std::map<const Quantity*, std::pair<std::string, Place>> first_;
@@ -266,15 +287,15 @@ class QuantitiesReader {
 
 }  // namespace
 
-QuantitySections read_quantities(const Value& root, const solver::Setup& setup, bool any_soil,
+QuantitySections read_quantities(const Value& root, const solver::Setup& setup, const SoilDoubts& doubts,
                                  ErrorList& errors) {
-  return QuantitiesReader(setup, any_soil, errors).read(root);
+  return QuantitiesReader(setup, doubts, errors).read(root);
 }
 
 std::vector<Setting> read_settings(const Value& table, std::string_view section,
                                    std::span<const std::string_view> except, const solver::Setup& setup,
-                                   bool any_soil, ErrorList& errors) {
-  return QuantitiesReader(setup, any_soil, errors).read_settings(table, section, except);
+                                   const SoilDoubts& doubts, ErrorList& errors) {
+  return QuantitiesReader(setup, doubts, errors).read_settings(table, section, except);
 }
 
 }  // namespace cpt::parameters

@@ -34,16 +34,22 @@ struct QuantitySections {
       doubtful;  ///< names of quantities with an error: their values are not to be judged further
 };
 
+/// What is not known after errors elsewhere, so that no quantity is judged by it.
+struct SoilDoubts {
+  bool soils = false;   ///< which there are, and of which laws
+  bool layers = false;  ///< of which soils they are
+};
+
 /// Reads both sections. `setup` is the preset's, with the study's layers, for omitted baselines and for the
-/// soils that the profile contains; quantities of other soils are errors unless `any_soil`.
-[[nodiscard]] QuantitySections read_quantities(const Value& root, const solver::Setup& setup, bool any_soil,
-                                               ErrorList& errors);
+/// soils that the profile contains; quantities of other soils are errors.
+[[nodiscard]] QuantitySections read_quantities(const Value& root, const solver::Setup& setup,
+                                               const SoilDoubts& doubts, ErrorList& errors);
 
 /// The quantities of one table but for the members `except`, such as a point of the design; errors name the
 /// section.
 [[nodiscard]] std::vector<Setting> read_settings(const Value& table, std::string_view section,
                                                  std::span<const std::string_view> except,
-                                                 const solver::Setup& setup, bool any_soil,
+                                                 const solver::Setup& setup, const SoilDoubts& doubts,
                                                  ErrorList& errors);
 
 }  // namespace cpt::parameters

@@ -174,7 +174,7 @@ class SamplesReader {
     if (const auto [first, is_new] = names_.try_emplace(sample.name, index + 1); !is_new)
       errors_.add(sample.place, "name",
                   fmt::format("\"{}\" names row {} already", sample.name, first->second));
-    for (const Setting& setting : read_settings(inputs, "", {}, study_.baseline, false, errors_))
+    for (const Setting& setting : read_settings(inputs, "", {}, study_.baseline, {}, errors_))
       sample.changes.push_back({setting.quantity, setting.value});
     if (columns_.responses) judge(sample, index + 1);
     samples_.push_back(std::move(sample));

@@ -13,13 +13,6 @@
 namespace cpt::parameters {
 namespace {
 
-// A group of quantities that are no soil's: "chamber".
-bool is_other_group(std::string_view name) {
-  return std::ranges::any_of(solver::all_quantities(), [&](const solver::Quantity& quantity) {
-    return quantity.soil.empty() && quantity.name.substr(0, quantity.name.find('.')) == name;
-  });
-}
-
 bool acceptable(const Member& soil, ErrorList& errors) {
   const std::string& name = soil.key;
   const std::string key = joined("soils", name);
@@ -29,7 +22,7 @@ bool acceptable(const Member& soil, ErrorList& errors) {
   if (!plain)
     errors.add(soil.place, key, fmt::format("\"{}\" is no name for a soil", name),
                "a letter first, then letters, digits and _");
-  else if (is_other_group(name) || name == "surcharge" || name == "windows" || name == "layers")
+  else if (is_group_beside_soils(name) || name == "surcharge" || name == "windows" || name == "layers")
     errors.add(soil.place, key, fmt::format("\"{}\" means something else in a study", name),
                "call the soil otherwise");
   else
@@ -38,6 +31,12 @@ bool acceptable(const Member& soil, ErrorList& errors) {
 }
 
 }  // namespace
+
+bool is_group_beside_soils(std::string_view name) {
+  return std::ranges::any_of(solver::all_quantities(), [&](const solver::Quantity& quantity) {
+    return quantity.soil.empty() && quantity.name.substr(0, quantity.name.find('.')) == name;
+  });
+}
 
 bool read_soils(const Value& root, solver::Setup& setup, ErrorList& errors) {
   const Value* table = section(root, "soils", errors);
@@ -54,7 +53,9 @@ bool read_soils(const Value& root, solver::Setup& setup, ErrorList& errors) {
                  fmt::format("such as [soils.{}] with law = \"{}\"", member.key, laws.front()));
       continue;
     }
-    refuse_unknown_keys(member.value, key, known_names(study_keys(), "soils"), errors);
+    refuse_unknown_keys(
+        member.value, key, known_names(study_keys(), "soils"), errors,
+        fmt::format("parameters go under [fixed] or [parameters]: \"{}.NAME\" = ...", member.key));
     if (const auto name = name_field(member.value, key, "law", true, laws, errors))
       soils.push_back({member.key, solver::find_law(*name)->defaults()});
   }

@@ -11,4 +11,7 @@ namespace cpt::parameters {
 /// has an error; true, and the setup as it was, without one.
 [[nodiscard]] bool read_soils(const Value& root, solver::Setup& setup, ErrorList& errors);
 
+/// Whether there are quantities "NAME.x" that are no soil's, such as those of the chamber.
+[[nodiscard]] bool is_group_beside_soils(std::string_view name);
+
 }  // namespace cpt::parameters

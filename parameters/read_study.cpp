@@ -38,19 +38,20 @@ class StudyReader {
     read_output();
     read_limits();
     const bool sound_soils = read_own_soils();
-    const std::vector<solver::Layer> layers = read_layers(sound_soils);
+    const std::optional<std::vector<solver::Layer>> layers = read_layers(sound_soils);
+    const bool own_layers = layers && !layers->empty();
     read_zones();
 
-    if (!layers.empty()) study_.baseline.layers = layers;
-    if (sound_soils) check_use_of_soils();
-    const QuantitySections sections =
-        read_quantities(root_, study_.baseline, !profile_known && layers.empty(), errors_);
+    if (own_layers) study_.baseline.layers = *layers;
+    if (sound_soils && layers) check_use_of_soils();
+    doubts_.layers = !sound_soils || !layers || (!profile_known && !own_layers);
+    const QuantitySections sections = read_quantities(root_, study_.baseline, doubts_, errors_);
     for (const Setting& setting : sections.settings)
       setting.quantity->set_value(study_.baseline, setting.value);
     for (const PlacedRow& placed : sections.rows) study_.rows.push_back(placed.row);
-    if (!layers.empty()) study_.baseline.layers = layers;  // setting the soil's height moves the last layer
+    if (own_layers) study_.baseline.layers = *layers;  // setting the soil's height moves the last layer
 
-    read_points(!profile_known && layers.empty());
+    read_points();
     read_design_points();
     read_repeats();
     read_paired_repeats();
@@ -128,7 +129,8 @@ class StudyReader {
   bool read_own_soils() {
     const std::vector<solver::Soil> defaults = study_.baseline.soils;
     if (const Member* soils = root_.find("soils")) places_.soils = soils->place;
-    if (!read_soils(root_, study_.baseline, errors_)) return false;
+    doubts_.soils = !read_soils(root_, study_.baseline, errors_);
+    if (doubts_.soils) return false;
     if (places_.soils.line == 0) return true;
     const bool own_layers = root_.find("layers") != nullptr;
     for (solver::Layer& layer : study_.baseline.layers) {
@@ -161,7 +163,8 @@ class StudyReader {
                     "name it in [[layers]], or leave it out");
   }
 
-  std::vector<solver::Layer> read_layers(bool sound_soils) {
+  // Nothing after an error.
+  std::optional<std::vector<solver::Layer>> read_layers(bool sound_soils) {
     std::vector<std::string_view> names;
     for (const solver::Soil& soil : study_.baseline.soils) names.push_back(soil.name);
     std::vector<solver::Layer> layers;
@@ -177,7 +180,7 @@ class StudyReader {
       sound = sound && sound_soils && top && bottom && soil;
       if (sound) layers.push_back({*top, *bottom, *soil_named(*soil)});
     }
-    return sound ? layers : std::vector<solver::Layer>();
+    return sound ? std::optional(layers) : std::nullopt;
   }
 
   void read_zones() {
@@ -201,7 +204,7 @@ class StudyReader {
     if (sound && !zones.empty()) study_.baseline.numerics.zones = zones;
   }
 
-  void read_points(bool any_soil) {
+  void read_points() {
     const std::vector<std::string_view> own = known_names(study_keys(), "points");
     std::vector<std::string> names;
     for (const Value* table : sections(root_, "points", errors_)) {
@@ -211,7 +214,7 @@ class StudyReader {
                     name->empty() ? "is empty" : fmt::format("\"{}\" names another point already", *name));
       names.push_back(name.value_or(""));
       DesignPoint point{name.value_or(""), {}};
-      for (const Setting& setting : read_settings(*table, "points", own, study_.baseline, any_soil, errors_))
+      for (const Setting& setting : read_settings(*table, "points", own, study_.baseline, doubts_, errors_))
         point.changes.push_back({setting.quantity, setting.value});
       if (table->members.size() <= (name ? 1U : 0U))
         errors_.add(table->place, "points", "changes nothing", "give at least one quantity a value");
@@ -422,6 +425,7 @@ class StudyReader {
   ErrorList& errors_;
   Study study_{};
   StudyPlaces places_;
+  SoilDoubts doubts_;
   std::vector<std::string> window_names_;
 };
 

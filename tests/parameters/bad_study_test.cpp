@@ -43,7 +43,7 @@ BadStudy bad_row(const std::string& entry, const std::string& key, const std::st
 TEST(BadStudy, Sections) {
   const std::string profile = "profile = \"homogeneous_sand\"\n";
   expect_errors({
-      {window, 1, "profile", "is missing", ""},
+      {window, 1, "profile", "is missing", "one of homogeneous_sand"},
       {"profile = \"sand\"\n" + window, 1, "profile", "\"sand\" is not one of homogeneous_sand",
        "\"homogeneous_sand\"?"},
       {"profile = \"homogenous_sand\"\n" + window, 1, "profile", "is not one of", "\"homogeneous_sand\"?"},

@@ -56,8 +56,9 @@ void expect_error(const std::string& more, const std::string& key, const std::st
 TEST(Soils, WhatIsWrongIsSaidWithItsPlace) {
   expect_error("[soils.silt]\nlaw = \"norsnad\"\n", "soils.silt.law", "is not one of norsand, tresca",
                "norsand");
-  expect_error("[soils.silt]\n", "soils.silt.law", "is missing", "");
-  expect_error("[soils.silt]\nlaw = \"norsand\"\nH = 3\n", "soils.silt.H", "unknown key", "");
+  expect_error("[soils.silt]\n", "soils.silt.law", "is missing", "one of norsand, tresca");
+  expect_error("[soils.silt]\nlaw = \"norsand\"\nH = 3\n", "soils.silt.H", "unknown key",
+               "under [fixed] or [parameters]: \"silt.NAME\"");
   expect_error("[soils]\nsilt = \"norsand\"\n", "soils.silt", "must be a table", "[soils.silt] with law");
   expect_error("[soils.chamber]\nlaw = \"norsand\"\n", "soils.chamber", "means something else", "otherwise");
   expect_error("[soils.\"9a\"]\nlaw = \"norsand\"\n", "soils.9a", "is no name for a soil", "a letter first");
@@ -70,9 +71,31 @@ TEST(Soils, WhatIsWrongIsSaidWithItsPlace) {
                "layers.soil", "is not one of a", "");
   expect_error("[soils.a]\nlaw = \"norsand\"\n[[layers]]\ntop_m = 0\nbottom_m = 1\n", "layers.soil",
                "is missing", "");
-  expect_error(two_soils + "[fixed]\n\"soft.H\" = 40\n", "fixed.soft.H", "unknown quantity", "");
+  expect_error(two_soils + "[fixed]\n\"soft.H\" = 40\n", "fixed.soft.H", "unknown quantity", "loose.H");
+  expect_error(two_soils + "[fixed]\n\"soft.kappa\" = 0.1\n", "fixed.soft.kappa", "unknown quantity",
+               "kappa is a parameter of modified_cam_clay; the soils are loose (norsand), soft (tresca)");
   expect_error(two_soils + "[fixed]\n\"sand.H\" = 40\n", "fixed.sand.H", "unknown quantity", "loose.H");
   expect_error(two_soils + "[fixed]\n\"loose.e_min\" = 0.95\n", "fixed.loose.e_min", "must be below", "");
+}
+
+// One slip, one error: what follows from it is not told.
+TEST(Soils, WhatDependsOnAnErrorIsNotJudged) {
+  const std::string quantities =
+      "[fixed]\n\"loose.H\" = 40\n[fixed.soft]\ns_u_kPa = 20\n[[points]]\nname = \"a\"\n\"soft.s_u_kPa\" = "
+      "30\n";
+  ASSERT_TRUE(errors_of(sand_study(two_soils + quantities)).empty());
+  for (const auto& [slip, mended, key] :
+       {std::tuple{"law = \"trseca\"", "law = \"tresca\"", "soils.soft.law"},
+        {"[soils.so-ft]", "[soils.soft]", "soils.so-ft"},
+        {"soil = \"sotf\"", "soil = \"soft\"", "layers.soil"},
+        {"bottom_m = \"1\"\n", "bottom_m = 1\n", "layers.bottom_m"}}) {
+    std::string text = two_soils + quantities;
+    text.replace(text.find(mended), std::string_view(mended).size(), slip);
+    const std::vector<StudyError> errors = errors_of(sand_study(text));
+    ASSERT_FALSE(errors.empty()) << slip;
+    EXPECT_EQ(errors.front().key, key);
+    EXPECT_EQ(errors.size(), 1U) << format(errors);
+  }
 }
 
 // A soil given twice is TOML's own error.
