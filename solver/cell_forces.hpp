@@ -10,12 +10,18 @@
 
 namespace cpt::solver {
 
+/// Share of the velocity change that strains the points before it is filtered (Model::filter_velocities).
+inline constexpr double unfiltered = 0.1;
+/// Largest share of a cell's highest frequency, squared, that the filter leaves to waves along one of its
+/// sides and to those along both.
+inline constexpr double largest_of_one = 0.48, largest_of_both = 0.316;
+
 /// What a cell gives to its nodes, and what its own points need of it.
 struct alignas(64) CellForces {
   double f_r[4], f_z[4];        // [N/rad] at the cell's nodes
   double inertia[4];            // [kg/rad]
   double mean_r[4], mean_z[4];  // [1/m] cell means of N,r + N/r and N,z
-  double time_step;             // [s] Courant number times the time a P-wave needs across; infinite if empty
+  double time_step;             // [s] Courant number times the largest stable step; infinite if empty
   double viscous;               // [Pa] pressure of the bulk viscosity
   double unused[2];
   double s_rr[4], s_zz[4], s_tt[4], s_rz[4];  // [Pa] mean stress by quadrant
@@ -23,8 +29,8 @@ struct alignas(64) CellForces {
 
 /// Constants of a run, as in ModelSettings.
 struct CellForceSettings {
-  double courant, mass_scaling, bulk_viscosity, gravity;
-  double face_inertia[most_materials], weight_ratio[most_materials];
+  double courant, mass_scaling, target_step, bulk_viscosity, gravity;
+  double weight_ratio[most_materials];
   std::int32_t materials;
   bool partial_cells;
 };

@@ -18,9 +18,6 @@ constexpr double beside[2] = {1.0 - gauss, 1.0 + gauss};
 
 constexpr double infinity = __builtin_inf();
 
-// A quantity's place among the doubles of its struct.
-#define CPT_FIELD(Struct, member) (offsetof(Struct, member) / sizeof(double))
-
 /// Fields `first` to before `first + count` of the structs that begin at `rows`, a pack each.
 template <int first, int count>
 CPT_INLINE void load_fields(const double* const (&rows)[lanes], Pack* field) {
@@ -50,22 +47,25 @@ struct Shapes {
   Pack r_c, a, zb0, zb1, zt0, zt1;
 };
 
-struct Extent {
-  Pack across;     // [m] shortest distance across the cell: its width, or its height across the steeper row
-  Pack unsheared;  // [m] the same with its height measured along the sides
-};
-
+// What limits the time step: dt <= 1 / (c sqrt(rate)) with c the speed of P-waves; the rate in 1/m2.
+//
+// A cell of width w and height h whose rows have the slope s has at most omega2 = 4 c2 (x + y) with x = 1 /
+// w2 and y = (1 + s2) / h2 (mean dilatation; Belytschko, Liu & Moran 2000, sec. 6.6). With strains from v + Q
+// dv and new velocities v + P dv on the nodes a wave is stable while (2 Q - P) omega2 dt2 <= 4. Points that
+// lie evenly make P = (1 - a X) (1 - a Y), a = 2/3, for a wave that has the shares X and Y of the largest
+// omega2 along and across the rows, and Q = P + unfiltered (1 - P); the largest (x X + y Y) (2 Q - P) is at
+// most this (tests/solver/time_step_test).
 template <bool sheared>
-CPT_INLINE Extent smallest_extent(const Shapes& s) {
-  const Pack width = 2.0 * s.a;
-  if constexpr (!sheared) {
-    const Pack extent = smaller(width, s.zt0 - s.zb0);
-    return {extent, extent};
-  }
+CPT_INLINE Pack limiting_rate(const Shapes& s) {
   const Pack left = (s.zt0 - s.zt1) - (s.zb0 - s.zb1), right = (s.zt0 + s.zt1) - (s.zb0 + s.zb1);
-  const Pack slope = at_least(abs(s.zb1), abs(s.zt1)) / s.a;
   const Pack height = smaller(left, right);
-  return {smaller(width, height / exact_sqrt(1.0 + slope * slope)), smaller(width, height)};
+  const Pack x = 0.25 / (s.a * s.a);
+  Pack y = 1.0 / (height * height);
+  if constexpr (sheared) {
+    const Pack slope = at_least(abs(s.zb1), abs(s.zt1)) / s.a;
+    y *= 1.0 + slope * slope;
+  }
+  return at_least(largest_of_one * at_least(x, y), largest_of_both * (x + y));
 }
 
 // Gauss integration with quadrant averages of the material points' stresses (mixed integration, Al-Kafaji
@@ -152,32 +152,29 @@ CPT_INLINE void compute(const CellForceSettings& settings, const Pack* sums, con
   }
 
   Pack p = mean_pressure_volume / cell_volume;
-  Pack mass = zero, weight = zero, largest_factor = splat(infinity);
+  Pack mass = zero, weight = zero;
   for (std::int32_t m = 0; m < settings.materials; ++m) {
     const Pack part = sums[CPT_FIELD(CellSums, material_mass) + m];
-    largest_factor =
-        select(greater(part, zero), smaller(largest_factor, splat(settings.face_inertia[m])), largest_factor);
     mass += part;
     weight += part * settings.weight_ratio[m] * settings.gravity;
   }
   const Pack density = select(filled, mass / volume, zero);
   const Pack unit_weight = select(filled, weight / volume, zero);
-  // Selective mass scaling (Olovsson, Simonsson & Unosson 2005) of the cells that shear makes thin.
-  const Extent extent = smallest_extent<sheared>(s);
+  // Selective mass scaling (Olovsson, Simonsson & Unosson 2005): small and stiff cells get the inertia that
+  // brings their time step up to the target.
   Pack inertia = density * settings.mass_scaling;  // [kg/m3]
-  const Pack thinness =
-      sheared ? extent.unsheared * extent.unsheared / (extent.across * extent.across) : splat(1.0);
-  inertia = select(filled, inertia * smaller(largest_factor, thinness), inertia);
+  const Pack stiffness = modulus * limiting_rate<sheared>(s);
+  const double target = settings.target_step;
+  inertia = select(filled, at_least(inertia, target * target * stiffness), inertia);
   // Linear bulk viscosity (Landshoff 1955), as explicit codes have it against the ringing of pressure waves;
   // it follows the last step's rate of dilatation.
   const double b = settings.bulk_viscosity;
-  const Pack wave_speed = exact_sqrt(modulus / inertia);
-  const Pack viscous = b * inertia * wave_speed * extent.across * divergence;
+  const Pack time = exact_sqrt(inertia / stiffness);  // [s] the largest stable step
+  const Pack viscous = b * modulus * time * divergence;
   p = select(filled, p + viscous, p);
   out[CPT_FIELD(CellForces, viscous)] = select(filled, viscous, zero);
   out[CPT_FIELD(CellForces, time_step)] =
-      select(filled, settings.courant * extent.across / wave_speed * (__builtin_sqrt(1.0 + b * b) - b),
-             splat(infinity));
+      select(filled, settings.courant * time * (__builtin_sqrt(1.0 + b * b) - b), splat(infinity));
 
   const Pack fill = settings.partial_cells ? smaller(splat(1.0), volume / cell_volume) : splat(1.0);
   for (int k = 0; k < 4; ++k) {
@@ -209,8 +206,7 @@ void compute_cells(const CellForceSettings& settings, const CellArrays& cells, s
                       load(scalars[3]), load(scalars[4]), load(scalars[5])};
     const Pack modulus = load(scalars[6]), divergence = load(scalars[7]);
     Pack sums[sizeof(CellSums) / sizeof(double)], out[sizeof(CellForces) / sizeof(double)];
-    load_fields<CPT_FIELD(CellSums, volume), 24>(sums_rows, sums);
-    load_fields<CPT_FIELD(CellSums, material_mass), 8>(sums_rows, sums);
+    load_fields<CPT_FIELD(CellSums, volume), 32>(sums_rows, sums);
     for (int i = 0; i < 2; ++i) out[CPT_FIELD(CellForces, unused) + i] = splat(0.0);
     const Mask slanted = greater(abs(s.zb1) + abs(s.zt1), splat(0.0));
     if (any(slanted))

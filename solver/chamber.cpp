@@ -39,15 +39,15 @@ void ChamberBoundary::apply_wall_stress(Model& model) {
         double stress = horizontal_stress(setup_, left_, z);
         if (compliant.on()) stress += compliant.stress(displacement_.at(z));
         const double force = stress * R * (z1 - z0) / 2.0;
-        model.nodes().f_r[wall[k]] -= (1.0 - N1) * force;
-        model.nodes().f_r[wall[k + 1]] -= N1 * force;
+        model.nodes().force.r[wall[k]] -= (1.0 - N1) * force;
+        model.nodes().force.r[wall[k + 1]] -= N1 * force;
         wall_push_[k] += (1.0 - N1) * force;
         wall_push_[k + 1] += N1 * force;
       }
       if (friction_) {
         const double force = wall_shear(setup_, left_, z) * R * (z1 - z0) / 2.0;
-        model.nodes().f_z[wall[k]] += (1.0 - N1) * force;
-        model.nodes().f_z[wall[k + 1]] += N1 * force;
+        model.nodes().force.z[wall[k]] += (1.0 - N1) * force;
+        model.nodes().force.z[wall[k + 1]] += N1 * force;
         wall_force_ += force;
       }
     }
@@ -57,18 +57,22 @@ void ChamberBoundary::apply_wall_stress(Model& model) {
 double ChamberBoundary::fix_boundaries(Model& model, double dt) {
   const Mesh& mesh = model.mesh();
   const Nodes& nodes = model.nodes();
-  for (const std::int32_t n : mesh.axis_nodes()) model.set_velocity(n, 0.0, nodes.v_z[n]);
+  const auto fix = [&model, &nodes](std::int32_t n, bool in_r) {
+    model.set_velocity(n, in_r ? 0.0 : nodes.velocity.r[n], in_r ? nodes.velocity.z[n] : 0.0);
+    model.hold({n, in_r ? 1.0 : 0.0, in_r ? 0.0 : 1.0, 0.0, false});
+  };
+  for (const std::int32_t n : mesh.axis_nodes()) fix(n, true);
   const std::vector<std::int32_t>& wall = mesh.wall_nodes();
   for (std::size_t k = 0; k < wall.size(); ++k) {
     const std::int32_t n = wall[k];
     if (free_wall_ && mesh.node_z(n) <= 1e-9) continue;
-    wall_push_[k] = nodes.inertia[n] * nodes.v_r[n] / dt;
-    model.set_velocity(n, 0.0, nodes.v_z[n]);
+    wall_push_[k] = nodes.inertia[n] * nodes.velocity.r[n] / dt;
+    fix(n, true);
   }
   double impulse = wall_force_ * dt;
   for (const std::int32_t n : mesh.bottom_nodes()) {
-    impulse -= nodes.inertia[n] * nodes.v_z[n];
-    model.set_velocity(n, nodes.v_r[n], 0.0);
+    impulse -= nodes.inertia[n] * nodes.velocity.z[n];
+    fix(n, false);
   }
   if (setup_.mechanisms.compliant_wall.on()) follow_wall(model, dt);
   return impulse;
@@ -96,7 +100,7 @@ void ChamberBoundary::follow_wall(const Model& model, double dt) {
     const double z = model.mesh().node_z(n);
     if (z > 1e-9) break;
     z_.push_back(z);
-    v_r_.push_back(model.nodes().v_r[n]);
+    v_r_.push_back(model.nodes().velocity.r[n]);
   }
   displacement_.add(z_, v_r_, dt);
 }

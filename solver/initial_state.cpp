@@ -84,15 +84,16 @@ InitialState initial_state(const Setup& setup, std::span<const std::unique_ptr<c
   double id = 0.0;
   for (const PointGrid& grid : point_grids(setup)) {
     for (int i = 0; i < grid.columns; ++i) {
-      const double r = grid.r(i);
+      const double column_r = grid.r(i);
       for (const PointBand& band : grid.bands)
         for (int j = 0; j < band.rows; ++j, ++id) {
-          const double z = grid.z(band, j);
+          const Scatter off = scatter(setup.numerics.point_shift, static_cast<std::uint64_t>(id));
+          const double r = column_r + off.r * grid.dr, z = grid.z(band, j) + off.z * band.dz;
           if (r < R_cone && z > (r - R_cone) * slope) continue;  // inside the penetrometer
 
           const double sigma_v = vertical_stress(setup, z), sigma_h = horizontal_stress(setup, left, z);
           const double s_rz = wall_shear(setup, left, z) * r / setup.chamber.radius;
-          const double volume = r * grid.dr * band.dz;
+          const double volume = column_r * grid.dr * band.dz;
           const bool loaded = !layer && &band == &grid.bands.back() && j == band.rows - 1;
           std::size_t material = setup.soils.size();
           double rho = surcharge_density(setup), e = surcharge_void_ratio;
@@ -105,9 +106,9 @@ InitialState initial_state(const Setup& setup, std::span<const std::unique_ptr<c
             if (material < soils.size() && soils[material])
               history = soils[material]->start({-z, -sigma_h, -sigma_v, -sigma_h, s_rz, e});
           }
-          state.points.push_back({r, z, 0.0, 0.0, -sigma_h, -sigma_v, -sigma_h, s_rz, rho * volume, volume, e,
-                                  history[0], 0.0, 0.0, loaded ? setup.initial.sigma_v0 * r * grid.dr : 0.0,
-                                  id, history[1]});
+          state.points.push_back(
+              {r, z, 0.0, 0.0, -sigma_h, -sigma_v, -sigma_h, s_rz, rho * volume, volume, e, history[0], 0.0,
+               0.0, loaded ? setup.initial.sigma_v0 * column_r * grid.dr : 0.0, id, history[1]});
           state.material.push_back(static_cast<std::int32_t>(material));
         }
     }

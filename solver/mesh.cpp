@@ -220,4 +220,18 @@ Location Mesh::locate(double r, double z) const {
   return {column_start_[c] + low, xi, eta};
 }
 
+void Mesh::move_outside(double& r, double& z) const {
+  const double R = start_.r[start_.i_cone];
+  if (r >= R) return;
+  const double above_tip = z + tip_depth_, slope = -start_.offset.front() / R;
+  const double inside = above_tip - slope * r;  // height above the face
+  if (inside <= 0.0) return;
+  if (z > y_[start_.j_face]) {
+    r = R;
+    return;
+  }
+  r += inside * slope / (1.0 + slope * slope);
+  z -= inside / (1.0 + slope * slope);
+}
+
 }  // namespace cpt::solver

@@ -81,6 +81,9 @@ class Mesh {
   /// are clamped to the nearest boundary cell.
   [[nodiscard]] Location locate(double r, double z) const;
 
+  /// Puts a point that lies inside the penetrometer on the nearest point of its surface; others stay.
+  void move_outside(double& r, double& z) const;
+
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
   [[nodiscard]] const std::vector<NodeCells>& node_cells() const { return node_cells_; }
   [[nodiscard]] const std::vector<HangingNode>& hanging_nodes() const { return hanging_; }

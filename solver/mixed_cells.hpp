@@ -44,7 +44,7 @@ struct CellStrainRate {
 
 /// Largest jump of a step [-], as a strain: where a soil hardly has stiffness left, closing the tractions at
 /// once would ask for more.
-inline constexpr double largest_jump = 0.02;
+inline constexpr double largest_jump = 0.04;
 
 /// Finds the jumps of the soils of a cell for a step of dt [s]. Returns whether the largest jump was
 /// exceeded; then all are scaled down alike.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "solver/for_each_index.hpp"
+
 namespace cpt::solver {
 namespace {
 
@@ -11,12 +13,6 @@ constexpr double corner_xi[4] = {-1.0, 1.0, 1.0, -1.0};
 constexpr double corner_eta[4] = {-1.0, -1.0, 1.0, 1.0};
 
 constexpr std::int64_t steps_between_splits = 500;
-
-template <typename Function>
-void for_each_index(std::int32_t count, int threads, const Function& function) {
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::int32_t i = 0; i < count; ++i) function(i);
-}
 
 }  // namespace
 
@@ -51,9 +47,14 @@ Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std:
   work_.assign(cells, 0.0);
   divergence_.assign(cells, 0.0);
   filled_at_start_.assign(cells, 0);
-  for (auto* field : {&nodes_.inertia, &nodes_.mass, &nodes_.v_r, &nodes_.v_z, &nodes_.dv_r, &nodes_.dv_z,
-                      &nodes_.f_r, &nodes_.f_z, &p_r_, &p_z_})
-    field->assign(nodes, 0.0);
+  for (auto* field : {&nodes_.inertia, &nodes_.mass, &p_r_, &p_z_}) field->assign(nodes, 0.0);
+  for (NodalVector* field :
+       {&nodes_.velocity, &nodes_.change, &nodes_.force, &nodes_.moving, &nodes_.smooth}) {
+    field->r.assign(nodes, 0.0);
+    field->z.assign(nodes, 0.0);
+  }
+  impulses_.resize(cells);
+  holds_.reserve(nodes);
   leavers_.resize(static_cast<std::size_t>(settings_.threads));
   for (auto& list : leavers_) list.reserve(4096);
   split_cells();
@@ -126,7 +127,7 @@ void Model::compute_nodal_forces() {
   settings.bulk_viscosity = settings_.bulk_viscosity;
   settings.gravity = settings_.gravity;
   settings.materials = settings_.materials;
-  std::copy_n(settings_.face_inertia, most_materials, settings.face_inertia);
+  settings.target_step = settings_.target_step;
   std::copy_n(settings_.weight_ratio, most_materials, settings.weight_ratio);
   settings.partial_cells = settings_.partial_cells;
   const CellArrays arrays = {sums_.data(), shapes_.data(), modulus_.data(), divergence_.data(),
@@ -138,11 +139,11 @@ void Model::compute_nodal_forces() {
       for (std::int32_t c = first; c < end; ++c) add_surface_loads(c, forces_[c]);
   });
   for_each_index(mesh_.node_count(), settings_.threads, [this](std::int32_t n) { assemble_node(n); });
-  condense_hanging_nodes();
+  condense({&nodes_.inertia, &nodes_.mass, &nodes_.force.r, &nodes_.force.z, &p_r_, &p_z_});
   for_each_index(mesh_.node_count(), settings_.threads, [this](std::int32_t n) {
     const double inverse = nodes_.mass[n] > 0.0 ? 1.0 / nodes_.mass[n] : 0.0;
-    nodes_.v_r[n] = p_r_[n] * inverse;
-    nodes_.v_z[n] = p_z_[n] * inverse;
+    nodes_.velocity.r[n] = p_r_[n] * inverse;
+    nodes_.velocity.z[n] = p_z_[n] * inverse;
   });
   time_step_ = INFINITY;
   for (const CellForces& f : forces_) time_step_ = std::min(time_step_, f.time_step);
@@ -171,60 +172,40 @@ void Model::assemble_node(std::int32_t n) {
     inertia += forces.inertia[k];
     f_r += forces.f_r[k];
     f_z += forces.f_z[k];
-    mass += sums.mass[k];
+    mass += corner_mass(sums, k);
     p_r += sums.p_r[k];
     p_z += sums.p_z[k];
   }
   nodes_.inertia[n] = inertia;
   nodes_.mass[n] = mass;
-  nodes_.f_r[n] = f_r;
-  nodes_.f_z[n] = f_z;
+  nodes_.force.r[n] = f_r;
+  nodes_.force.z[n] = f_z;
   p_r_[n] = p_r;
   p_z_[n] = p_z;
 }
 
-// What gathers at a hanging node belongs to its two neighbours.
-void Model::condense_hanging_nodes() {
-  for (const HangingNode& h : mesh_.hanging_nodes()) {
-    const double upper = mesh_.hanging_weight(h), lower = 1.0 - upper;
-    for (auto* field : {&nodes_.inertia, &nodes_.mass, &nodes_.f_r, &nodes_.f_z, &p_r_, &p_z_}) {
-      const double value = (*field)[h.node];
-      (*field)[h.lower] += lower * value;
-      (*field)[h.upper] += upper * value;
-      (*field)[h.node] = 0.0;
-    }
-  }
-}
-
-void Model::interpolate_hanging_nodes() {
-  for (const HangingNode& h : mesh_.hanging_nodes()) {
-    const double upper = mesh_.hanging_weight(h), lower = 1.0 - upper;
-    for (auto* field : {&nodes_.v_r, &nodes_.v_z, &nodes_.dv_r, &nodes_.dv_z})
-      (*field)[h.node] = lower * (*field)[h.lower] + upper * (*field)[h.upper];
-  }
-}
-
 void Model::accelerate(double dt) {
   const double damping = settings_.local_damping;
+  holds_.clear();
   for_each_index(mesh_.node_count(), settings_.threads, [&](std::int32_t n) {
-    double f_r = nodes_.f_r[n], f_z = nodes_.f_z[n];
+    double f_r = nodes_.force.r[n], f_z = nodes_.force.z[n];
     if (damping > 0.0) {
-      f_r -= damping * std::copysign(std::abs(f_r), nodes_.v_r[n]);
-      f_z -= damping * std::copysign(std::abs(f_z), nodes_.v_z[n]);
+      f_r -= damping * std::copysign(std::abs(f_r), nodes_.velocity.r[n]);
+      f_z -= damping * std::copysign(std::abs(f_z), nodes_.velocity.z[n]);
     }
     const double factor = nodes_.inertia[n] > 0.0 ? dt / nodes_.inertia[n] : 0.0;
-    nodes_.dv_r[n] = f_r * factor;
-    nodes_.dv_z[n] = f_z * factor;
-    nodes_.v_r[n] += nodes_.dv_r[n];
-    nodes_.v_z[n] += nodes_.dv_z[n];
+    nodes_.change.r[n] = f_r * factor;
+    nodes_.change.z[n] = f_z * factor;
+    nodes_.velocity.r[n] += nodes_.change.r[n];
+    nodes_.velocity.z[n] += nodes_.change.z[n];
   });
 }
 
 void Model::set_velocity(std::int32_t node, double v_r, double v_z) {
-  nodes_.dv_r[node] += v_r - nodes_.v_r[node];
-  nodes_.dv_z[node] += v_z - nodes_.v_z[node];
-  nodes_.v_r[node] = v_r;
-  nodes_.v_z[node] = v_z;
+  nodes_.change.r[node] += v_r - nodes_.velocity.r[node];
+  nodes_.change.z[node] += v_z - nodes_.velocity.z[node];
+  nodes_.velocity.r[node] = v_r;
+  nodes_.velocity.z[node] = v_z;
 }
 
 // From the gradient of the soils' shares of mass at the cell's nodes; of the soil where it is largest.
@@ -304,7 +285,8 @@ const SoilInCell* Model::share_cell_motion(std::int32_t c, const CellMotion& mot
 }
 
 void Model::move_points(double dt) {
-  interpolate_hanging_nodes();
+  interpolate({&nodes_.velocity.r, &nodes_.velocity.z, &nodes_.change.r, &nodes_.change.z});
+  filter_velocities();
   for_each_index(static_cast<std::int32_t>(sums_.size()), settings_.threads, [this](std::int32_t c) {
     soils_in_[c] = static_cast<std::int32_t>(
         std::ranges::count_if(sums_[c].material_mass, [](double m) { return m > 0.0; }));
@@ -338,14 +320,16 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
   };
   CellMotion motion;
   motion.shape = shapes_[c];
-  motion.v_r = field(nodes_.v_r);
-  motion.v_z = field(nodes_.v_z);
-  motion.dv_r = field(nodes_.dv_r);
-  motion.dv_z = field(nodes_.dv_z);
+  motion.v_r = field(nodes_.moving.r);
+  motion.v_z = field(nodes_.moving.z);
+  motion.smooth_r = field(nodes_.smooth.r);
+  motion.smooth_z = field(nodes_.smooth.z);
+  motion.dv_r = field(nodes_.change.r);
+  motion.dv_z = field(nodes_.change.z);
   motion.divergence = 0.0;
   for (int k = 0; k < 4; ++k)
     motion.divergence +=
-        forces.mean_r[k] * nodes_.v_r[cell.node[k]] + forces.mean_z[k] * nodes_.v_z[cell.node[k]];
+        forces.mean_r[k] * nodes_.moving.r[cell.node[k]] + forces.mean_z[k] * nodes_.moving.z[cell.node[k]];
   divergence_[c] = motion.divergence;
   work_[c] += forces.viscous * motion.divergence * dt * volume;
   motion.dt = dt;
@@ -395,6 +379,7 @@ void Model::rehome_leavers() {
   for (const auto& list : leavers_)
     for (const Leaver& leaver : list) {
       const PointFields p = points_.fields(points_.bucket(leaver.bucket));
+      mesh_.move_outside(p.r[leaver.slot], p.z[leaver.slot]);
       const Location at = mesh_.locate(p.r[leaver.slot], p.z[leaver.slot]);
       p.xi[leaver.slot] = at.xi;
       p.eta[leaver.slot] = at.eta;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <vector>
 
@@ -24,8 +25,7 @@ struct ModelSettings {
   double courant = 0.8;
   double mass_scaling = 1.0;
   std::int32_t materials = 1;  // soils and surcharge
-  double face_inertia[most_materials] = {1, 1, 1, 1,
-                                         1, 1, 1, 1};  // [-] largest factor on a sheared cell's inertia
+  double target_step = 0.0;    // [s] to which inertia raises the step of small and stiff cells
   double pic_fraction = 0.0;
   double local_damping = 0.0;
   double bulk_viscosity = 0.0;
@@ -38,14 +38,33 @@ struct ModelSettings {
   int threads = 1;
 };
 
+/// A vector at each node.
+struct NodalVector {
+  std::vector<double> r, z;
+};
+
 /// Nodal fields, one entry a node.
 struct Nodes {
   std::vector<double> inertia;  // [kg/rad] mass times mass scaling, consistent with the Gauss integration
   std::vector<double> mass;     // [kg/rad] sum of N m over material points
-  std::vector<double> v_r,
-      v_z;  // [m/s] velocity: before `accelerate` at the start, then at the end of the step
-  std::vector<double> dv_r, dv_z;  // [m/s] change over the step
-  std::vector<double> f_r, f_z;    // [N/rad] internal and body forces
+  NodalVector velocity;         // [m/s] before `accelerate` at the start, then at the end of the step
+  NodalVector change;           // [m/s] of it over the step
+  NodalVector force;            // [N/rad] internal and body forces
+  NodalVector moving;           // [m/s] what moves and strains the points
+  NodalVector smooth;           // [m/s] what the points' own velocities are drawn to
+};
+
+/// A component of a node's velocity that a boundary or a contact prescribes.
+struct Hold {
+  std::int32_t node;
+  double n_r, n_z;  // [-] unit vector
+  double velocity;  // [m/s] along it
+  bool or_more;     // a contact that may open
+};
+
+/// What a cell's points give its corners of a change of velocity, sum of N_k m dv [kg m/s/rad].
+struct CornerImpulse {
+  double r[4], z[4];
 };
 
 class Model {
@@ -61,6 +80,8 @@ class Model {
   void accelerate(double dt);
   /// Sets the velocity at the end of the step of a node; used by boundaries and contact.
   void set_velocity(std::int32_t node, double v_r, double v_z);
+  /// The velocity of a node that strains the soil keeps this component as well.
+  void hold(const Hold& hold) { holds_.push_back(hold); }
   /// Stage 3: nodes to points, stress update, points back to the cells of the mesh, which the caller has
   /// moved to its position at the end of the step.
   void move_points(double dt);
@@ -105,11 +126,13 @@ class Model {
 
   void add_surface_loads(std::int32_t c, CellForces& forces) const;
   void assemble_node(std::int32_t n);
-  void condense_hanging_nodes();
-  void interpolate_hanging_nodes();
+  void condense(std::initializer_list<std::vector<double>*> fields) const;
+  void interpolate(std::initializer_list<std::vector<double>*> fields) const;
   [[nodiscard]] InterfaceNormal interface_normal(std::int32_t c) const;
   /// The soils of a cell of several, in the order of their numbers, each with its jump.
   const SoilInCell* share_cell_motion(std::int32_t c, const CellMotion& motion, int thread);
+  void gather(const NodalVector& field, NodalVector& gathered);
+  void filter_velocities();
   void move_cell(std::int32_t c, double dt, int thread, const Cell& cell, const CellShape& new_shape);
   void sum_all_points();
   void rehome_leavers();
@@ -138,6 +161,8 @@ class Model {
   std::vector<char> filled_at_start_;
   Nodes nodes_;
   std::vector<double> p_r_, p_z_;  // [kg m/s/rad] nodal momentum of the points
+  std::vector<Hold> holds_;        // of this step
+  std::vector<CornerImpulse> impulses_;
   double time_step_ = 0.0;
   std::int64_t steps_ = 0;
 

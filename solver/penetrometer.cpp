@@ -46,12 +46,11 @@ ContactStrength PenetrometerContact::contact_strength(const Model& model, std::i
   return {friction / mass, adhesion / mass};
 }
 
-PenetrometerLoad PenetrometerContact::apply_contact(Model& model, double dt) const {
+PenetrometerLoad PenetrometerContact::apply_contact(Model& model, double speed, double dt) const {
   const Mesh& mesh = model.mesh();
   const Nodes& nodes = model.nodes();
   const double half_apex = setup_.penetrometer.apex / 2.0;
   const double face_r = std::cos(half_apex), face_z = -std::sin(half_apex);
-  const double speed = setup_.penetrometer.speed;
   const std::vector<std::int32_t>&face = mesh.face_nodes(), &shaft = mesh.shaft_nodes();
   const auto chain = [&](std::size_t k) { return k < face.size() ? face[k] : shaft[k - face.size()]; };
   const std::size_t count = face.size() + shaft.size(), shoulder = face.size() - 1;
@@ -91,8 +90,9 @@ PenetrometerLoad PenetrometerContact::apply_contact(Model& model, double dt) con
     contact.adhesion = strength.adhesion;
 
     const ContactImpulse impulse =
-        resolve_contact(contact, nodes.inertia[n], nodes.v_r[n], nodes.v_z[n], speed, dt);
+        resolve_contact(contact, nodes.inertia[n], nodes.velocity.r[n], nodes.velocity.z[n], speed, dt);
     model.set_velocity(n, k == 0 ? 0.0 : impulse.v_r, impulse.v_z);
+    model.hold({n, contact.n_r, contact.n_z, -speed * contact.n_z, impulse.J_r == 0.0 && impulse.J_z == 0.0});
     const double upward = -impulse.J_z / dt * two_pi;
     (k <= shoulder ? load.cone_force : load.shaft_force) += upward;
     if (k > shoulder && z <= z_shoulder + setup_.penetrometer.sleeve_length) {

@@ -44,8 +44,8 @@ class PenetrometerContact {
  public:
   explicit PenetrometerContact(const Setup& setup);
 
-  /// Applies contact to the nodes after `accelerate`.
-  PenetrometerLoad apply_contact(Model& model, double dt) const;
+  /// Applies contact to the nodes after `accelerate`; the penetrometer moves at `speed` [m/s].
+  PenetrometerLoad apply_contact(Model& model, double speed, double dt) const;
 
   [[nodiscard]] double projected_area() const;  // [m2]
 

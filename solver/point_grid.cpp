@@ -1,8 +1,11 @@
 #include "solver/point_grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
+
+#include "solver/hashed.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -49,18 +52,19 @@ std::vector<double> band_edges(const Setup& setup, double top) {
 
 }  // namespace
 
+Scatter scatter(double shift, std::uint64_t id) {
+  const std::uint64_t seed = hashed(std::bit_cast<std::uint64_t>(shift + 0.0));  // -0 as 0
+  const auto off = [](std::uint64_t x) { return farthest_off * (2.0 * hashed_unit(x) - 1.0); };
+  return {off(seed + 2 * id), off(seed + 2 * id + 1)};
+}
+
 std::vector<PointGrid> point_grids(const Setup& setup) {
   const bool layer = setup.chamber.surcharge == SurchargeKind::layer;
   const std::vector<double> edges = band_edges(setup, layer ? setup.chamber.surcharge_height : 0.0);
   std::vector<PointGrid> grids;
   double inner = 0.0;
   for (const PointZone& zone : zones_to_wall(setup)) {
-    PointGrid grid{inner,
-                   zone.outer_radius,
-                   zone.columns,
-                   (zone.outer_radius - inner) / zone.columns,
-                   setup.numerics.point_shift,
-                   {}};
+    PointGrid grid{inner, zone.outer_radius, zone.columns, (zone.outer_radius - inner) / zone.columns, {}};
     for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
       const double height = edges[k + 1] - edges[k];
       const int rows = std::max(1, static_cast<int>(std::ceil(height * zone.rows_per_metre - rounding)));

@@ -1,6 +1,7 @@
 // Where material points lie before the push: regular grids in radial zones, in bands of height.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "solver/setup.hpp"
@@ -16,17 +17,26 @@ struct PointBand {
 
 /// The points of one zone over the whole height of soil and surcharge, the penetrometer's place included.
 struct PointGrid {
-  double inner, outer;  // [m] radii of the zone
-  int columns;          // [-]
-  double dr;            // [m] spacing
-  double shift;         // [-] of the positions within their own cell of the grid, which keeps its outline
+  double inner, outer;           // [m] radii of the zone
+  int columns;                   // [-]
+  double dr;                     // [m] spacing
   std::vector<PointBand> bands;  // from the bottom upward
 
-  [[nodiscard]] double r(int column) const { return inner + (column + 0.5 + 0.5 * shift) * dr; }
-  [[nodiscard]] double z(const PointBand& band, int row) const {
-    return band.bottom + (row + 0.5 + 0.5 * shift) * band.dz;
-  }
+  [[nodiscard]] double r(int column) const { return inner + (column + 0.5) * dr; }
+  [[nodiscard]] double z(const PointBand& band, int row) const { return band.bottom + (row + 0.5) * band.dz; }
 };
+
+/// Farthest that a point may lie from its place on the grid, over the spacing [-]: as no cell is lower
+/// than 1.2 spacings, none is without points.
+inline constexpr double farthest_off = 0.1;
+
+/// Where a point lies in its own cell of the grid, from the centre and over the spacing.
+struct Scatter {
+  double r, z;  // [-]
+};
+/// Every shift draws another, so that runs at different shifts are independent samples of where the points
+/// may lie.
+[[nodiscard]] Scatter scatter(double shift, std::uint64_t id);
 
 /// The zones of a setup as it really is (actual_setup.hpp), cut or stretched to the chamber's wall, columns
 /// scaled to keep their spacing. Bands begin at the soil's top, at each interface and at the edges of a

@@ -73,9 +73,6 @@ Setup make_setup(Profile profile, Preset preset) {
   Setup setup;
   set_profile(setup, profile);
   set_resolution(setup, preset);
-  // On the fine mesh steps of 0.95 of the critical one blow clay up within 20 mm; q_c at 0.7 and 0.5 differs
-  // by 1e-4.
-  if (preset == Preset::fine && contains(setup, default_clay)) setup.numerics.courant = 0.7;
   return setup;
 }
 

@@ -30,7 +30,6 @@ Quantity silent(Quantity quantity) {
 bool with_friction(const Law& law) { return law.has_friction(); }
 bool with_adhesion(const Law& law) { return law.has_adhesion(); }
 bool treated_as_sand(const Law& law) { return law.treated_as() == TreatedAs::sand; }
-bool treated_as_clay(const Law& law) { return law.treated_as() == TreatedAs::clay; }
 
 constexpr std::string_view chamber_tests = "Yost et al. (2023), section 3; De Lange (2018)";
 constexpr std::string_view paper_model = "Yost et al. (2023), section 4.1";
@@ -154,19 +153,21 @@ std::vector<Quantity> numerics_quantities() {
       silent(number<group, &Numerics::point_density>("numerics.point_density", "f_point", none, 0.25, 16.0,
                                                      any_soil, "factor on the material points in a cell",
                                                      numerical)),
-      number<group, &Numerics::point_shift>("numerics.point_shift", "shift", none, -0.5, 0.5, any_soil,
-                                            "shift of the grid of material points over their spacing",
-                                            numerical),
+      number<group, &Numerics::point_shift>(
+          "numerics.point_shift", "shift", none, -0.5, 0.5, any_soil,
+          "draws where the material points lie, up to a tenth of their spacing "
+          "off their grid",
+          numerical),
       number<group, &Numerics::courant>("numerics.courant", "Co", none, 0.05, 0.98, any_soil,
                                         "Courant number", "0.95 in Yost et al. (2023), section 4.1"),
       number<group, &Numerics::mass_scaling>("numerics.mass_scaling", "f_mass", none, 1.0, 1.0e6, any_soil,
                                              "factor on the inertia, not on the weight", paper_model),
-      number<group, &Numerics::face_inertia_sand>(
-          "numerics.face_inertia_sand", "f_face,sand", none, 1.0, 16.0, treated_as_sand,
-          "largest factor on the inertia of the sheared cells under the cone's face, sand", numerical),
-      number<group, &Numerics::face_inertia_clay>(
-          "numerics.face_inertia_clay", "f_face,clay", none, 1.0, 16.0, treated_as_clay,
-          "largest factor on the inertia of the sheared cells under the cone's face, clay", numerical),
+      number<group, &Numerics::target_step>(
+          "numerics.target_step_s", "Δt_target", seconds, 0.0, 0.1, any_soil,
+          "largest stable step up to which small and stiff cells get more inertia, at a "
+          "mass scaling of 1e4 and cells of 6.3 mm "
+          "around the tip; 0: none",
+          numerical),
       number<group, &Numerics::pic_fraction>("numerics.pic_fraction", "PIC", none, 0.0, 1.0, any_soil,
                                              "share of PIC in the velocity update; 0 is FLIP", numerical),
       number<group, &Numerics::local_damping>("numerics.local_damping", "α_damp", none, 0.0, 0.9, any_soil,
@@ -180,6 +181,9 @@ std::vector<Quantity> numerics_quantities() {
       number<group, &Numerics::stress_smoothing_sand>(
           "numerics.stress_smoothing_sand", "β_sand", none, 0.0, 1.0, treated_as_sand,
           "share of the quadrant's average stress given back to its points, sand", numerical),
+      number<group, &Numerics::start_distance>(
+          "numerics.start_distance_m", "s_start", metres, 0.0, 0.1, any_soil,
+          "travel over which the push gets up to its speed, at a cone of 25.3 mm", numerical),
       number<group, &Numerics::bin_height>("numerics.bin_height_m", "Δz_bin", metres, 1.0e-5, 0.05, any_soil,
                                            "depth over which q_c and f_s are averaged in the recording",
                                            numerical),

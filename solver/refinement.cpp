@@ -8,9 +8,9 @@ namespace cpt::solver {
 Numerics refined(const Setup& setup) {
   Numerics numerics = setup.numerics;
   const double scale = setup.penetrometer.diameter / numerics.for_diameter;
-  for (double* length :
-       {&numerics.near_height, &numerics.near_width_radius, &numerics.far_width, &numerics.coarse_rows_radius,
-        &numerics.zone_below, &numerics.zone_above, &numerics.below_height, &numerics.above_height})
+  for (double* length : {&numerics.near_height, &numerics.near_width_radius, &numerics.far_width,
+                         &numerics.coarse_rows_radius, &numerics.zone_below, &numerics.zone_above,
+                         &numerics.below_height, &numerics.above_height, &numerics.start_distance})
     *length *= scale;
   for (PointZone& zone : numerics.zones) {
     zone.outer_radius *= scale;

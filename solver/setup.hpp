@@ -62,6 +62,9 @@ struct PointZone {
   double rows_per_metre;  // [1/m] rows of points per metre of height
 };
 
+inline constexpr double target_mass_scaling = 1.0e4;  ///< [-] at which Numerics::target_step is given
+inline constexpr double target_height = 0.006325;     ///< [m] at which Numerics::target_step is given
+
 /// Lengths are given for a cone of `for_diameter` and grow with the penetrometer's (refinement.hpp).
 struct Numerics {
   double for_diameter = 0.0253;      // [m] the cone of Yost et al. (2023); no input
@@ -78,15 +81,15 @@ struct Numerics {
   std::vector<PointZone> zones = {{0.06, 70, 325.0}, {0.12, 25, 200.0}, {0.24, 35, 150.0}, {0.45, 20, 125.0}};
   double refinement = 1.0;      // [-] all lengths of the mesh and the points' spacing over this
   double point_density = 1.0;   // [-] factor on the material points in a cell
-  double point_shift = 0.0;     // [-] shift of the point grid, fraction of the spacing, in [-0.5, 0.5]
+  double point_shift = 0.0;     // [-] draws where the points lie about their grid (point_grid.hpp)
   double courant = 0.95;        // [-]
   double mass_scaling = 1.0e4;  // [-] on inertia only
-  // Sheared cells under the cone's face are half as high across as the others and would halve the time step
-  // of all: their inertia grows with the square of that ratio, at most by this factor [-], 1 = none. Not in
-  // clay, where q_c follows the inertia.
-  double face_inertia_sand = 3.0;
-  double face_inertia_clay = 1.0;
-  double pic_fraction = 0.0;   // [-] 0 = FLIP, 1 = PIC
+  // Small and stiff cells, those under the cone's face first, would set a small step to all: their inertia
+  // grows until their largest stable step is this one [s]; 0 = none. Given for a mass scaling of
+  // target_mass_scaling and cells of target_height around the tip: it follows the square root of the one and
+  // the other.
+  double target_step = 1.05e-3;
+  double pic_fraction = 0.01;  // [-] 0 = FLIP, 1 = PIC of second order
   double local_damping = 0.0;  // [-] fraction of the out-of-balance force
   double bulk_viscosity =
       0.0;  // [-] b: linear bulk viscosity, a pressure of b rho c h times the rate of dilatation
@@ -94,7 +97,8 @@ struct Numerics {
   // points would leave their own yield surface every step.
   double stress_smoothing_clay = 1.0;  // also of the surcharge layer
   double stress_smoothing_sand = 0.0;
-  double bin_height = 0.0005;  // [m] depth bin over which q_c and f_s are averaged
+  double start_distance = 0.0127;  // [m] travel over which the push gets up to its speed
+  double bin_height = 0.0005;      // [m] depth bin over which q_c and f_s are averaged
 };
 
 struct Setup {

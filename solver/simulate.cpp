@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <functional>
@@ -24,6 +25,7 @@ namespace cpt::solver {
 namespace {
 
 constexpr int steps_between_checks = 100;
+constexpr double farthest_in_a_step = 0.1;  // [-] travel over the height of a cell at the tip
 
 SoilModels make_soils(const Setup& setup) {
   SoilModels soils;
@@ -40,13 +42,14 @@ ModelSettings make_settings(const Setup& setup, int threads) {
   const Numerics& numerics = setup.numerics;
   s.courant = numerics.courant;
   s.mass_scaling = numerics.mass_scaling;
+  s.target_step = numerics.target_step * std::sqrt(numerics.mass_scaling / target_mass_scaling) *
+                  numerics.near_height / target_height;
   s.pic_fraction = numerics.pic_fraction;
   s.local_damping = numerics.local_damping;
   s.bulk_viscosity = numerics.bulk_viscosity;
   const std::size_t surcharge = setup.soils.size();
   for (std::size_t k = 0; k < surcharge; ++k) {
     const bool as_sand = law_of(setup.soils[k]).treated_as() == TreatedAs::sand;
-    s.face_inertia[k] = as_sand ? numerics.face_inertia_sand : numerics.face_inertia_clay;
     s.stress_smoothing[k] = as_sand ? numerics.stress_smoothing_sand : numerics.stress_smoothing_clay;
     s.weight_ratio[k] = bulk(setup, k).weight_ratio;
   }
@@ -73,6 +76,15 @@ Outcome invalid(const std::vector<Problem>& found) {
     outcome.reason += problem.quantity + ": " + problem.message;
   }
   return outcome;
+}
+
+// [m/s] of the penetrometer at a time after the start [s]; a sudden start would ring through the chamber.
+double speed_at(const Setup& setup, double time) {
+  const double speed = setup.penetrometer.speed;
+  const double rise = 2.0 * setup.numerics.start_distance / speed;
+  if (time >= rise) return speed;
+  const double x = time / rise;
+  return speed * x * x * (3.0 - 2.0 * x);
 }
 
 // What came before a push.
@@ -110,9 +122,9 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
   Outcome outcome;
   outcome.status = Status::completed;
   outcome.material_points = model.points().size();
-  const double speed = setup.penetrometer.speed, final_depth = setup.penetrometer.final_depth;
+  const double final_depth = setup.penetrometer.final_depth;
   const double first_depth = model.mesh().tip_depth();
-  double depth = first_depth, first_step = 0.0;
+  double depth = first_depth, time = 0.0, first_step = 0.0;
   const auto exchange = [&](auto& archive) {
     before.exchange(archive);
     model.exchange(archive);
@@ -120,6 +132,7 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
     recorder.exchange(archive);
     auditor.exchange(archive);
     archive("push.depth", depth);
+    archive("push.time", time);
     archive("push.steps", outcome.steps);
     archive("push.first_step", first_step);
   };
@@ -137,6 +150,7 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
     watch.go_on_from(seconds);
   }
 
+  const double longest_step = farthest_in_a_step * setup.numerics.near_height / setup.penetrometer.speed;
   double next_look = observer.next_look();
   const auto look = [&] {
     observer.look(depth, model.points());
@@ -147,7 +161,7 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
   while (depth < final_depth && outcome.status == Status::completed) {
     model.compute_nodal_forces();
     chamber.apply_wall_stress(model);
-    const double dt = model.stable_time_step();
+    const double dt = std::min(model.stable_time_step(), longest_step);
     if (outcome.steps == 0) first_step = dt;
     if (!(dt > 1e-3 * first_step)) {
       outcome.status = Status::did_not_converge;
@@ -155,9 +169,11 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
           fmt::format("the stable time step fell to {:.3g} s at {:.1f} mm depth", dt, depth * 1e3);
       break;
     }
+    time += dt;
+    const double speed = speed_at(setup, time);
     model.accelerate(dt);
     const double bottom_impulse = chamber.fix_boundaries(model, dt);
-    const PenetrometerLoad load = penetrometer.apply_contact(model, dt);
+    const PenetrometerLoad load = penetrometer.apply_contact(model, speed, dt);
     model.mesh().move_tip_to(depth + speed * dt);
     model.move_points(dt);
 
@@ -205,7 +221,7 @@ std::string_view to_string(Status status) {
   return "unknown";
 }
 
-std::string_view solver_version() { return "0.5"; }
+std::string_view solver_version() { return "0.6"; }
 
 Outcome simulate(const Setup& setup, Observer& observer, const Execution& execution) {
   std::vector<Problem> found = problems(setup);

@@ -21,12 +21,17 @@ struct alignas(64) CellSums {
   double s_zz[4];
   double s_tt[4];
   double s_rz[4];
-  // Mass and momentum at the cell's nodes, sum of N_k m and N_k m v.
-  double mass[4];  // [kg/rad]
-  double p_r[4];   // [kg m/s/rad]
-  double p_z[4];
+  double p_r[4];                         // [kg m/s/rad] momentum at the cell's nodes, sum of N_k m v
   double material_mass[most_materials];  // [kg/rad]
+  double p_z[4];
+  // [kg/rad] sum of m f over 1, xi, eta, xi eta, xi2, eta2, xi2 eta, xi eta2, xi2 eta2: the cell's lumped and
+  // consistent mass matrices are combinations of them.
+  double moment[9];
+  double unused[3];
 };
+
+/// The lumped mass at corner k of a cell, sum of N_k m [kg/rad].
+[[nodiscard]] double corner_mass(const CellSums& sums, int k);
 
 /// A field on a cell: c[0] + c[1] xi + c[2] eta + c[3] xi eta.
 struct Bilinear {
@@ -36,8 +41,9 @@ struct Bilinear {
 /// What moves the points of a cell during one step.
 struct CellMotion {
   CellShape shape;               // at the start of the step
-  Bilinear v_r, v_z;             // [m/s] nodal velocity at the end of the step
+  Bilinear v_r, v_z;             // [m/s] nodal velocity that moves and strains the points
   Bilinear dv_r, dv_z;           // [m/s] its change over the step
+  Bilinear smooth_r, smooth_z;   // [m/s] what the points' velocities are drawn to
   double divergence;             // [1/s] mean over the cell (B-bar)
   double dt;                     // [s]
   double pic_fraction;           // [-]

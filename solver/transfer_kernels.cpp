@@ -45,6 +45,7 @@ CPT_INLINE double move(std::int32_t count, std::size_t padded, const PointFields
   const PlaneGradient& jump = motion.jump;
   const double dilation = mixed ? divergence + jump.rr + jump.zz : divergence;
   const double *R = motion.v_r.c, *Z = motion.v_z.c, *dR = motion.dv_r.c, *dZ = motion.dv_z.c;
+  const double *sR = motion.smooth_r.c, *sZ = motion.smooth_z.c;
   const double r_first = shape.r_c - shape.a, r_last = shape.r_c + shape.a;
   const double beta = motion.smoothing;
   const QuadrantMeans m_rr = quadrant_means(motion.mean_stress[0]),
@@ -71,13 +72,13 @@ CPT_INLINE double move(std::int32_t count, std::size_t padded, const PointFields
       store(points.s_tt + k, s_tt);
     }
 
-    // Nodal velocity and its increment at the point: FLIP, with a share of PIC.
+    // FLIP, with a share of PIC of second order.
     const Pack vr = R[0] + R[1] * x + R[2] * y + R[3] * xy;
     const Pack vz = Z[0] + Z[1] * x + Z[2] * y + Z[3] * xy;
     const Pack flip_r = load(points.v_r + k) + (dR[0] + dR[1] * x + dR[2] * y + dR[3] * xy);
     const Pack flip_z = load(points.v_z + k) + (dZ[0] + dZ[1] * x + dZ[2] * y + dZ[3] * xy);
-    store(points.v_r + k, flip_r + pic * (vr - flip_r));
-    store(points.v_z + k, flip_z + pic * (vz - flip_z));
+    store(points.v_r + k, flip_r + pic * (sR[0] + sR[1] * x + sR[2] * y + sR[3] * xy - flip_r));
+    store(points.v_z + k, flip_z + pic * (sZ[0] + sZ[1] * x + sZ[2] * y + sZ[3] * xy - flip_z));
 
     // Velocity gradient on the sheared cell: z_eta is half its height at xi, z_xi the slope of the row at
     // eta.
@@ -173,11 +174,10 @@ CPT_INLINE void sum_quadrants(std::size_t padded, const PointFields& points, con
     for (int i = 0; i < quadrants; ++i) sums[4 * f + first + i] = sum[f][i];
 }
 
-/// Mass and momentum at the cell's nodes, in the order of CellSums; points that left do not count.
-CPT_INLINE void sum_nodes(std::size_t padded, const PointFields& points, const double* left, Pack* sums) {
-  Pack sum[3][4];
-  for (auto& field : sum)
-    for (Pack& s : field) s = splat(0.0);
+/// Momentum at the cell's nodes; points that left do not count.
+CPT_INLINE void sum_momentum(std::size_t padded, const PointFields& points, const double* left, Pack* p_r,
+                             Pack* p_z) {
+  for (int i = 0; i < 4; ++i) p_r[i] = p_z[i] = splat(0.0);
   for (std::size_t k = 0; k < padded; k += lanes) {
     const Pack x = load(points.xi + k), y = load(points.eta + k);
     const Pack m = load(points.mass + k) * (1.0 - load(left + k)) * 0.25;
@@ -185,13 +185,29 @@ CPT_INLINE void sum_nodes(std::size_t padded, const PointFields& points, const d
     const Pack N[4] = {low * (1.0 - x), low * (1.0 + x), high * (1.0 + x), high * (1.0 - x)};
     const Pack vr = load(points.v_r + k), vz = load(points.v_z + k);
     for (int i = 0; i < 4; ++i) {
-      sum[0][i] += N[i];
-      sum[1][i] += N[i] * vr;
-      sum[2][i] += N[i] * vz;
+      p_r[i] += N[i] * vr;
+      p_z[i] += N[i] * vz;
     }
   }
-  for (int f = 0; f < 3; ++f)
-    for (int i = 0; i < 4; ++i) sums[4 * f + i] = sum[f][i];
+}
+
+/// Moments of mass, in the order of CellSums; points that left do not count.
+CPT_INLINE void sum_moments(std::size_t padded, const PointFields& points, const double* left, Pack* sums) {
+  for (int i = 0; i < 9; ++i) sums[i] = splat(0.0);
+  for (std::size_t k = 0; k < padded; k += lanes) {
+    const Pack x = load(points.xi + k), y = load(points.eta + k);
+    const Pack m = load(points.mass + k) * (1.0 - load(left + k));
+    const Pack mx = m * x, my = m * y, mxy = mx * y, mxx = mx * x, myy = my * y;
+    sums[0] += m;
+    sums[1] += mx;
+    sums[2] += my;
+    sums[3] += mxy;
+    sums[4] += mxx;
+    sums[5] += myy;
+    sums[6] += mxy * x;
+    sums[7] += mxy * y;
+    sums[8] += mxy * x * y;
+  }
 }
 
 double sum_points(std::int32_t count, std::size_t padded, const PointFields& points, const CellShape& shape,
@@ -223,27 +239,26 @@ double sum_points(std::int32_t count, std::size_t padded, const PointFields& poi
   some_left = any(gone);
 
   // In parts whose sums stay in the registers.
-  constexpr int nodes_first = offsetof(CellSums, mass) / sizeof(double), count_of_sums = nodes_first + 12;
+  constexpr int count_of_sums = sizeof(CellSums) / sizeof(double);
   Pack sum[count_of_sums];
+  for (int i = 0; i < most_materials; ++i) sum[CPT_FIELD(CellSums, material_mass) + i] = zero;
+  for (int i = 0; i < 3; ++i) sum[CPT_FIELD(CellSums, unused) + i] = zero;
   if constexpr (lanes == 8) {
     sum_quadrants<0, 4>(padded, points, strain.left, sum);
   } else {
     sum_quadrants<0, 2>(padded, points, strain.left, sum);
     sum_quadrants<2, 2>(padded, points, strain.left, sum);
   }
-  sum_nodes(padded, points, strain.left, sum + nodes_first);
+  sum_momentum(padded, points, strain.left, sum + CPT_FIELD(CellSums, p_r), sum + CPT_FIELD(CellSums, p_z));
+  sum_moments(padded, points, strain.left, sum + CPT_FIELD(CellSums, moment));
+  sum[CPT_FIELD(CellSums, material_mass) + material] = sum[CPT_FIELD(CellSums, moment)];
 
-  alignas(64) double bucket[count_of_sums];
   auto* const cell_sums = reinterpret_cast<double*>(&sums);
   for (int f = 0; f < count_of_sums; f += lanes) {
     Pack block[lanes];
     for (int l = 0; l < lanes; ++l) block[l] = sum[f + l];
-    const Pack value = lane_sums(block);
-    store(bucket + f, value);
-    store(cell_sums + f, load(cell_sums + f) + value);
+    store(cell_sums + f, load(cell_sums + f) + lane_sums(block));
   }
-  const double* mass = bucket + nodes_first;
-  sums.material_mass[material] += mass[0] + mass[1] + mass[2] + mass[3];
   return 0.5 * lane_sum(work);
 }
 

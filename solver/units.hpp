@@ -19,6 +19,7 @@ inline constexpr Unit millimetres{"mm", 1.0e-3};
 inline constexpr Unit millimetres_per_megapascal{"mm/MPa", 1.0e-9};
 inline constexpr Unit kilopascals_per_metre{"kPa/m", 1.0e3};
 inline constexpr Unit per_second{"1/s", 1.0};
+inline constexpr Unit seconds{"s", 1.0};
 inline constexpr Unit metres_per_second{"m/s", 1.0};
 inline constexpr Unit kilograms_per_cubic_metre{"kg/m3", 1.0};
 

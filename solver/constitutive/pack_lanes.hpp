@@ -5,6 +5,9 @@
 
 #include "solver/constitutive/pack.hpp"
 
+/// A quantity's place among the doubles of its struct; needs <cstddef>.
+#define CPT_FIELD(Struct, member) (offsetof(Struct, member) / sizeof(double))
+
 namespace cpt::solver::CPT_KERNEL_NAMESPACE {
 
 using LaneIndices = std::make_integer_sequence<int, lanes>;

@@ -1,17 +1,13 @@
 #include "solver/mechanisms/interface_mixing.hpp"
 
+#include "solver/hashed.hpp"
 #include "solver/mechanisms/mechanism.hpp"
 #include "solver/quantity_builders.hpp"
 
 namespace cpt::solver {
 
 bool InterfaceMixing::upper_soil(double distance, std::uint64_t id) const {
-  // SplitMix64 (Steele, Lea & Flood 2014): a number in [0, 1) that depends on the id alone.
-  std::uint64_t x = (id + 1) * 0x9e3779b97f4a7c15ULL;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  const double drawn = static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1.0p-53;
-  return drawn < 0.5 - distance / thickness;
+  return hashed_unit(id) < 0.5 - distance / thickness;
 }
 
 Mechanism interface_mixing_mechanism() {

@@ -43,8 +43,12 @@ std::vector<LawQuantity> make_quantities() {
       parameter<P, &P::e_max>("e_max", "eₘₐₓ", none, 0.3, 2.0, "maximum void ratio", table_1),
       parameter<P, &P::rho_grains>("rho_grains_kg_per_m3", "ρₛ", kilograms_per_cubic_metre, 2000.0, 3500.0,
                                    "density of the sand's grains", table_1),
-      parameter<P, &P::OCR>("OCR", "OCR", none, 1.0, 20.0,
-                            "initial p_i over that of the yield surface through the initial stress",
+      alternative<P, &P::start>(
+          "start", "start", {"initial_stress", "at_rest"},
+          "stress that the initial yield surface passes through: the initial one, or that "
+          "at rest, K_0 = 1 - sin(phi_cs), under the same vertical stress",
+          norsand_book),
+      parameter<P, &P::OCR>("OCR", "OCR", none, 1.0, 20.0, "initial p_i over that of this yield surface",
                             norsand_book),
       parameter<P, &P::cap_ratio>("cap_ratio", "cap", none, 1.0, 10.0,
                                   "inner cap: largest p_i over its limit at maximum dilatancy", norsand_book),
@@ -60,19 +64,27 @@ std::vector<LawQuantity> make_quantities() {
   };
 }
 
+// Initial p_i [Pa].
+double image_pressure_at(const PointStart& s, const P& sand, const NorSand& law) {
+  const double p_i = law.initial_image_pressure(s.s_rr, s.s_zz, s.s_tt, s.s_rz, s.e);
+  if (sand.start == SandStart::initial_stress) return p_i;
+  const double at_rest = (1.0 - std::sin(sand.phi_cs)) * s.s_zz;
+  return std::max(p_i, law.initial_image_pressure(at_rest, s.s_zz, at_rest, 0.0, s.e));
+}
+
 class Model : public SoilModel {
  public:
   Model(const P& parameters, const GrainCrushing& crushing)
-      : law_(parameters, crushing), nu_(parameters.nu) {}
+      : law_(parameters, crushing), parameters_(parameters) {}
   [[nodiscard]] double update(const Batch& batch) const override { return law_.update(batch); }
-  [[nodiscard]] double poissons_ratio() const override { return nu_; }
+  [[nodiscard]] double poissons_ratio() const override { return parameters_.nu; }
   [[nodiscard]] PointHistory start(const PointStart& s) const override {
-    return {law_.initial_image_pressure(s.s_rr, s.s_zz, s.s_tt, s.s_rz, s.e)};
+    return {image_pressure_at(s, parameters_, law_)};
   }
 
  private:
   NorSand law_;
-  double nu_;  // [-]
+  P parameters_;
 };
 
 class NorSandLaw : public Law {
@@ -166,7 +178,8 @@ std::vector<Problem> NorSandLaw::problems(const Setup& setup, std::size_t soil, 
 
   // NorSand's largest image pressure at this density bounds the stress ratio, Jefferies & Been (2015).
   const NorSand law(sand);
-  const double p_i = law.initial_image_pressure(-sigma_h, -sigma_v, -sigma_h, 0.0, e) / sand.OCR;
+  const PointStart start{0.0, -sigma_h, -sigma_v, -sigma_h, 0.0, e};
+  const double p_i = image_pressure_at(start, sand, law) / sand.OCR;
   const NorSandState state = law.evaluate({-sigma_h, -sigma_v, -sigma_h, 0.0}, e, p_i);
   if (p_i < state.p_mx) return {};
   return {

@@ -8,6 +8,9 @@ namespace cpt::solver {
 class Law;
 
 enum class DeviatoricFlow : std::uint8_t { radial, associated };
+/// Which stress the initial yield surface passes through: the initial one, or that at rest under the same
+/// vertical stress, K_0 = 1 - sin(phi_cs) (Jaky 1944), and the initial one where it lies outside.
+enum class SandStart : std::uint8_t { initial_stress, at_rest };
 
 /// NorSand with the exponential critical state line; baseline of Yost et al. (2023), Table 2.
 struct NorSandParameters {
@@ -26,8 +29,9 @@ struct NorSandParameters {
   double e_min = 0.552;                 // [-] minimum void ratio
   double e_max = 0.890;                 // [-] maximum void ratio
   double rho_grains = 2650.0;           // [kg/m3] density of the grains
-  double OCR = 1.0;        // [-] scales the initial p_i from the yield surface through the initial stress
-  double cap_ratio = 1.3;  // [-] inner cap: p_i <= cap_ratio * p_mx
+  SandStart start = SandStart::initial_stress;
+  double OCR = 1.0;                 // [-] scales the initial p_i of that yield surface
+  double cap_ratio = 1.3;           // [-] inner cap: p_i <= cap_ratio * p_mx
   double hardening_exponent = 2.0;  // [-] exponent of (p/p_i) in the hardening rule
   double p_min = 500.0;             // [Pa] below this mean stress the sand carries none
   DeviatoricFlow flow = DeviatoricFlow::associated;

@@ -90,7 +90,7 @@ TEST(Quantities, NamesCarryTheUnit) {
   const std::map<std::string_view, std::string_view> suffix_of = {
       {"kPa", "_kPa"},         {"deg", "_deg"},         {"%", "_percent"}, {"m", "_m"},
       {"m/s", "_m_per_s"},     {"kg/m3", "_kg_per_m3"}, {"mm", "_mm"},     {"mm/MPa", "_mm_per_MPa"},
-      {"kPa/m", "_kPa_per_m"}, {"1/s", "_per_s"}};
+      {"kPa/m", "_kPa_per_m"}, {"1/s", "_per_s"},       {"s", "_s"}};
   for (const Quantity& q : all_quantities()) {
     if (q.unit == "-")
       for (const auto& [unit, suffix] : suffix_of) EXPECT_FALSE(q.name.ends_with(suffix)) << q.name;

@@ -17,7 +17,9 @@ void fix_column(Model& model, bool fix_top) {
   for (std::int32_t n = 0; n < model.mesh().node_count(); ++n) {
     const double z = model.mesh().node_z(n);
     const bool fixed = z < 1e-9 || (fix_top && z > H - 1e-9);
-    model.set_velocity(n, 0.0, fixed ? 0.0 : nodes.v_z[n]);
+    model.set_velocity(n, 0.0, fixed ? 0.0 : nodes.velocity.z[n]);
+    model.hold({n, 1.0, 0.0, 0.0, false});
+    if (fixed) model.hold({n, 0.0, 1.0, 0.0, false});
   }
 }
 

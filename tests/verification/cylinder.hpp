@@ -37,17 +37,19 @@ class Cylinder {
       model.compute_nodal_forces();
       const double dt = model.stable_time_step(), speed = (to - a_) / duration;
       for (const std::int32_t n : model.mesh().wall_nodes())
-        model.nodes().f_r[n] -=
+        model.nodes().force.r[n] -=
             p_0_ * r.back() * height / 2.0 * (is_middle(model.mesh(), n, height) ? 1.0 : 0.5);
       model.accelerate(dt);
       double reaction = 0.0;
       for (std::int32_t n = 0; n < model.mesh().node_count(); ++n) {
-        double v_r = model.nodes().v_r[n];
+        double v_r = model.nodes().velocity.r[n];
         if (model.mesh().node_r(n) < a + 1e-9) {
           reaction += model.nodes().inertia[n] * (speed - v_r) / dt;
           v_r = speed;
         }
         model.set_velocity(n, v_r, 0.0);
+        model.hold({n, 0.0, 1.0, 0.0, false});
+        if (model.mesh().node_r(n) < a + 1e-9) model.hold({n, 1.0, 0.0, speed, false});
       }
       // Columns move as an incompressible body would.
       a += speed * dt;

@@ -23,7 +23,7 @@ TEST(FreeFall, KeepsMassMomentumAndShape) {
   double mass0 = 0.0;
   for (const Point& p : points) mass0 += p.mass;
   double t = 0.0;
-  for (int i = 0; i < 300; ++i) {
+  while (t < 0.2) {
     model.compute_nodal_forces();
     const double dt = model.stable_time_step();
     model.accelerate(dt);
@@ -38,7 +38,6 @@ TEST(FreeFall, KeepsMassMomentumAndShape) {
     EXPECT_NEAR(p.v_r[k], 0.0, 1e-12);
     EXPECT_NEAR(p.s_zz[k], 0.0, 1e-4);
   });
-  EXPECT_GT(t, 0.1);
   EXPECT_DOUBLE_EQ(mass, mass0);
   EXPECT_NEAR(momentum, mass0 * (0.3 - 9.81 * t), 1e-10 * mass0);
 }

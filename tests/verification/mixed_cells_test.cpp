@@ -71,7 +71,7 @@ void strain_step(Model& model, double rate_r, double rate_z, double dt) {
   model.accelerate(0.0);
   for (std::int32_t n = 0; n < model.mesh().node_count(); ++n) {
     const double z = model.mesh().node_z(n);
-    model.set_velocity(n, rate_r * z, rate_z * z);
+    drive(model, n, rate_r * z, rate_z * z);
   }
   model.move_points(dt);
 }
@@ -119,10 +119,12 @@ double stress_error(int rows) {
     model.accelerate(dt);
     for (std::int32_t n = 0; n < model.mesh().node_count(); ++n) {
       const double z = model.mesh().node_z(n);
-      double v_z = model.nodes().v_z[n];
+      double v_z = model.nodes().velocity.z[n];
       if (z < 1e-9) v_z = 0.0;
       if (z > height - 1e-9) v_z = i < pressing ? -pressed / (pressing * dt) : 0.0;
       model.set_velocity(n, 0.0, v_z);
+      model.hold({n, 1.0, 0.0, 0.0, false});
+      if (z < 1e-9 || z > height - 1e-9) model.hold({n, 0.0, 1.0, v_z, false});
     }
     model.move_points(dt);
   }

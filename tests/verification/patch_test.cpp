@@ -36,7 +36,7 @@ TEST(PatchTest, LinearVelocityGivesExactStress) {
   model.accelerate(0.0);
   for (std::int32_t n = 0; n < model.mesh().node_count(); ++n) {
     const double r = model.mesh().node_r(n), z = model.mesh().node_z(n);
-    model.set_velocity(n, A * r, B * z + C * r + D);
+    drive(model, n, A * r, B * z + C * r + D);
   }
   model.move_points(dt);
   const double lame = E * nu / ((1 + nu) * (1 - 2 * nu)), two_G = E / (1 + nu), tr = 2 * A + B;
@@ -63,7 +63,7 @@ TEST(PatchTest, UniformStressIsInEquilibriumInside) {
   double largest_boundary = 0.0, largest_inside = 0.0;
   for (std::int32_t n = 0; n < mesh.node_count(); ++n) {
     const bool top = mesh.node_z(n) > mesh.top() - 1e-9;
-    const double f = std::hypot(model.nodes().f_r[n], model.nodes().f_z[n]);
+    const double f = std::hypot(model.nodes().force.r[n], model.nodes().force.z[n]);
     (top || boundary.count(n) ? largest_boundary : largest_inside) =
         std::max(top || boundary.count(n) ? largest_boundary : largest_inside, f);
   }
@@ -77,8 +77,8 @@ TEST(PatchTest, BoundaryForcesAreTheExactTractions) {
                               [&](Point& point) { point.s_rr = point.s_zz = point.s_tt = -p; });
   model.compute_nodal_forces();
   double wall = 0.0, bottom = 0.0;
-  for (const std::int32_t n : model.mesh().wall_nodes()) wall += model.nodes().f_r[n];
-  for (const std::int32_t n : model.mesh().bottom_nodes()) bottom += model.nodes().f_z[n];
+  for (const std::int32_t n : model.mesh().wall_nodes()) wall += model.nodes().force.r[n];
+  for (const std::int32_t n : model.mesh().bottom_nodes()) bottom += model.nodes().force.z[n];
   EXPECT_NEAR(wall, p * 1.0 * 0.6, 1e-9 * p);  // pressure times radius times height, per radian
   EXPECT_NEAR(bottom, -p * 0.5, 1e-9 * p);     // pressure times R^2 / 2, per radian
 }

@@ -73,6 +73,13 @@ inline Model elastic_model(
                settings);
 }
 
+/// Gives a node this velocity at the end of the step, in which it also moves and strains the points.
+inline void drive(Model& model, std::int32_t node, double v_r, double v_z) {
+  model.set_velocity(node, v_r, v_z);
+  model.hold({node, 1.0, 0.0, v_r, false});
+  model.hold({node, 0.0, 1.0, v_z, false});
+}
+
 /// Calls function(fields, index in bucket) for every material point.
 template <typename Function>
 void for_each_point(const Model& model, const Function& function) {

@@ -68,7 +68,7 @@ TEST(WallFriction, StartsInEquilibrium) {
     for (const std::int32_t n : model.mesh().wall_nodes()) {
       const double z = model.mesh().node_z(n);
       if (z < -0.1 && z > -0.9)
-        largest = std::max(largest, std::abs(model.nodes().f_z[n]) / (model.nodes().mass[n] * gravity));
+        largest = std::max(largest, std::abs(model.nodes().force.z[n]) / (model.nodes().mass[n] * gravity));
     }
     return largest;
   };
