@@ -10,7 +10,8 @@ namespace cpt::results {
 /// indices that studies are made for. The presets close to a few per cent.
 inline constexpr double most_energy_error = 0.10;
 
-/// momentum_error [-], over the penetrometer's impulse. The presets leave 0.004 to 0.03.
+/// momentum_error [-], over the penetrometer's impulse. The presets leave 0.02 to 0.03 of half a metre's
+/// push.
 inline constexpr double most_momentum_error = 0.10;
 
 /// kinetic_fraction [-]: largest kinetic energy over the penetrometer's work. The push stands for a slow one;

@@ -31,7 +31,7 @@ std::string with_bounds(std::string sql) {
   return sql;
 }
 
-// The momentum error of a repeat is that of its shift (audit_bounds.hpp).
+// Before solver 0.6 the momentum error of a repeat was that of its shift.
 constexpr const char* audit_view = R"sql(
 CREATE VIEW audit AS
 SELECT id AS realization, parameter, side, status, mass_error, momentum_error, energy_error, kinetic_fraction,

@@ -83,5 +83,23 @@ TEST(Laws, APointDependsOnItselfAlone) {
   }
 }
 
+// At rest under 50 kPa with phi_cs = 30 degrees the lateral stress is 25 kPa.
+TEST(SandStart, TakesTheImagePressureOfTheRuleThatIsAskedFor) {
+  NorSandParameters sand;
+  const auto p_i = [&](double sigma_h) {
+    const auto model = law_of(LawParameters{sand}).model(sand, {});
+    return model->start({0.1, -sigma_h, -50e3, -sigma_h, 0.0, 0.76832})[0];
+  };
+  const double low = p_i(15e3), at_rest = p_i(25e3), high = p_i(35e3);
+  EXPECT_GT(low, at_rest);
+  EXPECT_GT(at_rest, high);
+  sand.start = SandStart::at_rest;
+  EXPECT_DOUBLE_EQ(p_i(15e3), low);  // the initial stress lies outside
+  EXPECT_NEAR(p_i(25e3), at_rest, 1e-9 * at_rest);
+  EXPECT_NEAR(p_i(35e3), at_rest, 1e-9 * at_rest);
+  sand.OCR = 2.0;
+  EXPECT_NEAR(p_i(35e3), 2.0 * at_rest, 1e-9 * at_rest);
+}
+
 }  // namespace
 }  // namespace cpt::solver
