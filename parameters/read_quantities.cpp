@@ -94,8 +94,8 @@ bool is_group(std::string_view name, const solver::Setup& setup) {
   });
 }
 
-// "s_u_kPa is a parameter of tresca, and the soils are loose (norsand), soft (tresca)", of a law's parameter
-// that the soil does not have.
+// "kappa is a parameter of modified_cam_clay; the soils are loose (norsand), soft (tresca)"; nothing where no
+// law has it.
 std::string laws_hint(std::string_view name, const solver::Setup& setup) {
   const std::string_view parameter = name.substr(name.find('.') + 1);
   std::vector<std::string_view> laws;

@@ -16,6 +16,14 @@ namespace palette = drawing::palette;
 constexpr double heading_left = 8.0;  // of a figure's heading
 constexpr double line_size = 8.0, line_pitch = 12.5, title_base = 17.0, below_heading = 6.0;
 
+// Whether it is one of several soils that the study names itself: any of them may have the same symbols.
+bool is_own_soil(const results::Snapshot& campaign, std::string_view group) {
+  const std::string& setup = campaign.campaign.baseline_setup;
+  const auto first = setup.find("soils = ");
+  return first != std::string::npos && setup.find("soils = ", first + 1) != std::string::npos &&
+         setup.find(fmt::format("soils = {} ", group)) != std::string::npos;
+}
+
 }  // namespace
 
 using results::ParameterRow;
@@ -65,8 +73,9 @@ Rich symbol_of(const Snapshot& campaign, const ParameterRow& parameter) {
   const auto same = std::count_if(campaign.parameters.begin(), campaign.parameters.end(),
                                   [&](const ParameterRow& p) { return p.symbol == parameter.symbol; });
   Rich symbol = symbolic(parameter.symbol);
-  if (same < 2) return symbol;
-  return std::move(symbol) + plain(fmt::format(" ({})", parameter.name.substr(0, parameter.name.find('.'))));
+  const std::string group = parameter.name.substr(0, parameter.name.find('.'));
+  if (same < 2 && !is_own_soil(campaign, group)) return symbol;
+  return std::move(symbol) + plain(fmt::format(" ({})", group));
 }
 
 Rich unit_of(const ParameterRow& parameter) {

@@ -25,7 +25,8 @@ namespace cpt::reports {
 [[nodiscard]] std::vector<results::SensitivityRow> sensitivity_in(const results::Snapshot& campaign,
                                                                   std::string_view window);
 
-/// Symbol of a parameter, with its group in brackets where two rows of the study share a symbol.
+/// Symbol of a parameter, with its group in brackets where two rows of the study share a symbol, and where it
+/// is one of several soils that the study names.
 [[nodiscard]] drawing::Rich symbol_of(const results::Snapshot& campaign,
                                       const results::ParameterRow& parameter);
 /// " (kPa)"; nothing for numbers without unit.

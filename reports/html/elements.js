@@ -24,7 +24,11 @@ function number(value, digits = 4) {
   return minus(String(Number(value.toPrecision(digits))));
 }
 const decimals = (value, digits) => (known(value) ? minus(value.toFixed(digits)) : "–");
-const percent = (value) => (known(value) ? `${value > 0 ? "+" : ""}${decimals(100 * value, 1)} %` : "–");
+const percent = (value) => {
+  if (!known(value)) return "–";
+  const shown = Math.round(1000 * value) / 10 || 0; // neither +0.0 nor −0.0
+  return `${shown > 0 ? "+" : ""}${decimals(shown, 1)} %`;
+};
 const depths = (window) => `${decimals(window.from_m, 4)}–${decimals(window.to_m, 4)} m`;
 /// UTC as ISO 8601 writes it, to the second: "2026-11-29T18:20:33Z".
 const moment = (text) => (text ? text.replace(/\.\d+Z$/, "Z") : text);

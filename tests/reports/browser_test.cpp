@@ -61,6 +61,8 @@ TEST_F(Page, ShowsTheWholeCampaign) {
   EXPECT_EQ(rows().size(), 28U);
   EXPECT_EQ(count("a[href='report.json']"), 1);
   EXPECT_NE(text("#provenance dl").find("layered_sand_clay"), std::string::npos);
+  EXPECT_NE(text("#profile-help").find("where two layers meet"), std::string::npos);
+  EXPECT_EQ(value("[-0.0004, 0.0004, 0.0006].map(percent)"), json({"0.0 %", "0.0 %", "+0.1 %"}));
 }
 
 TEST_F(Page, HasTheNumbersOfTheDatabase) {

@@ -148,6 +148,12 @@ TEST_F(Figures, EqualSymbolsAreToldApartByTheirGroup) {
   EXPECT_EQ(html(symbol_of(campaign, campaign.parameters.back())), "G (sand)");
   EXPECT_EQ(html(symbol_of(campaign, parameter_of(campaign, "clay.G_kPa"))), "G (clay)");
   EXPECT_EQ(html(symbol_of(campaign, parameter_of(campaign, "sand.H"))), "H");
+  // Soils of the study's own are always named; a study of one soil needs no name for it.
+  std::string& setup = campaign.campaign.baseline_setup;
+  setup = "soils = sand norsand\n" + setup;
+  EXPECT_EQ(html(symbol_of(campaign, parameter_of(campaign, "sand.H"))), "H");
+  setup = "soils = seam norsand\n" + setup;
+  EXPECT_EQ(html(symbol_of(campaign, parameter_of(campaign, "sand.H"))), "H (sand)");
 }
 
 TEST_F(Figures, LongTextsAreCutAtWholeCharacters) {
