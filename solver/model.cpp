@@ -176,7 +176,7 @@ void Model::assemble_node(std::int32_t n) {
     p_r += sums.p_r[k];
     p_z += sums.p_z[k];
   }
-  nodes_.inertia[n] = std::max(inertia, settings_.mass_scaling * mass);  // no less than the points bring
+  nodes_.inertia[n] = inertia;
   nodes_.mass[n] = mass;
   nodes_.force.r[n] = f_r;
   nodes_.force.z[n] = f_z;

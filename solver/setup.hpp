@@ -89,8 +89,8 @@ struct Numerics {
   // target_mass_scaling and cells of target_height around the tip: it follows the square root of the one and
   // the other.
   double target_step = 1.05e-3;
-  double pic_fraction = 0.01;  // [-] 0 = FLIP, 1 = PIC of second order
-  double local_damping = 0.0;  // [-] fraction of the out-of-balance force
+  double pic_fraction = 0.005;  // [-] 0 = FLIP, 1 = PIC of second order
+  double local_damping = 0.0;   // [-] fraction of the out-of-balance force
   double bulk_viscosity =
       0.0;  // [-] b: linear bulk viscosity, a pressure of b rho c h times the rate of dilatation
   // Share of the quadrant's average stress given back to its points each step [-]. Not in sand: NorSand's
