@@ -50,7 +50,7 @@ struct Shapes {
 // What limits the time step: dt <= 1 / (c sqrt(rate)) with c the speed of P-waves; the rate in 1/m2.
 //
 // A cell of width w and height h whose rows have the slope s has at most omega2 = 4 c2 (x + y) with x = 1 /
-// w2 and y = (1 + s2) / h2 (mean dilatation; Belytschko, Liu & Moran 2000, sec. 6.6). With strains from v + Q
+// w2 and y = (1 + s2) / h2 (mean dilatation; Flanagan & Belytschko 1984). With strains from v + Q
 // dv and new velocities v + P dv on the nodes a wave is stable while (2 Q - P) omega2 dt2 <= 4. Points that
 // lie evenly make P = (1 - a X) (1 - a Y), a = 2/3, for a wave that has the shares X and Y of the largest
 // omega2 along and across the rows, and Q = P + unfiltered (1 - P); the largest (x X + y Y) (2 Q - P) is at
