@@ -43,18 +43,13 @@ Auditor::Auditor(const Model& model) {
   initial_mass_ = t.mass;
   initial_momentum_ = t.momentum;
   initial_weight_energy_ = t.weight_energy;
+  weight_ = t.weight;
   audit_.min_time_step = INFINITY;
 }
 
-void Auditor::add_step(const Model& model, const PenetrometerLoad& load, double bottom_impulse, double speed,
-                       double dt) {
+void Auditor::add_step(const PenetrometerLoad& load, double bottom_impulse, double speed, double dt) {
   const double upward = load.cone_force + load.shaft_force;
-  double weight = 0.0;  // [N/rad]
-  for (const CellSums& sums : model.sums())
-    for (std::int32_t m = 0; m < model.settings().materials; ++m)
-      weight += sums.material_mass[m] * model.settings().weight_ratio[m];
-  weight *= model.settings().gravity;
-  impulse_ += two_pi * (bottom_impulse - weight * dt) - upward * dt;
+  impulse_ += two_pi * bottom_impulse - (weight_ + upward) * dt;
   penetrometer_impulse_ += upward * dt;
   penetrometer_work_ += upward * speed * dt;
   sliding_ += load.dissipation;

@@ -20,8 +20,7 @@ class Auditor {
   explicit Auditor(const Model& model);
 
   /// After each step. `bottom_impulse` [N s/rad] from ChamberBoundary::fix_boundaries.
-  void add_step(const Model& model, const PenetrometerLoad& load, double bottom_impulse, double speed,
-                double dt);
+  void add_step(const PenetrometerLoad& load, double bottom_impulse, double speed, double dt);
 
   /// Every some steps: empty if all is well, else what is wrong; fills `status`.
   [[nodiscard]] std::string check(const Model& model, double travel, Status& status);
@@ -45,6 +44,7 @@ class Auditor {
   Audit audit_;
   double initial_mass_, initial_momentum_;             // over the full circumference
   double initial_weight_energy_;                       // [J] potential energy of the effective weight
+  double weight_;                                      // [N] effective
   double impulse_ = 0.0, penetrometer_impulse_ = 0.0;  // [N s]
   double penetrometer_work_ = 0.0, sliding_ = 0.0;     // [J]
   double kinetic_ = 0.0;                               // [J] at the last check

@@ -29,7 +29,7 @@ struct alignas(64) CellForces {
 
 /// Constants of a run, as in ModelSettings.
 struct CellForceSettings {
-  double courant, mass_scaling, target_step, bulk_viscosity, gravity;
+  double courant, mass_scaling, bulk_viscosity, gravity;
   double weight_ratio[most_materials];
   std::int32_t materials;
   bool partial_cells;
@@ -41,6 +41,7 @@ struct CellArrays {
   const CellShape* shapes;
   const double* modulus;     // [Pa] largest P-wave modulus
   const double* divergence;  // [1/s] mean over the cell in the last step
+  const double* least_step;  // [s] that has to be stable
   CellForces* forces;        // written
 };
 

@@ -74,7 +74,7 @@ CPT_INLINE Pack limiting_rate(const Shapes& s) {
 // hold CellSums and CellForces as packs.
 template <bool sheared>
 CPT_INLINE void compute(const CellForceSettings& settings, const Pack* sums, const Shapes& s, Pack modulus,
-                        Pack divergence, Pack* out) {
+                        Pack divergence, Pack least_step, Pack* out) {
   const Pack zero = splat(0.0);
   const Pack* volumes = sums + CPT_FIELD(CellSums, volume);
   const Pack* sum_of[4] = {sums + CPT_FIELD(CellSums, s_rr), sums + CPT_FIELD(CellSums, s_zz),
@@ -161,11 +161,10 @@ CPT_INLINE void compute(const CellForceSettings& settings, const Pack* sums, con
   const Pack density = select(filled, mass / volume, zero);
   const Pack unit_weight = select(filled, weight / volume, zero);
   // Selective mass scaling (Olovsson, Simonsson & Unosson 2005): small and stiff cells get the inertia that
-  // brings their time step up to the target.
+  // their time step needs.
   Pack inertia = density * settings.mass_scaling;  // [kg/m3]
   const Pack stiffness = modulus * limiting_rate<sheared>(s);
-  const double target = settings.target_step;
-  inertia = select(filled, at_least(inertia, target * target * stiffness), inertia);
+  inertia = select(filled, at_least(inertia, least_step * least_step * stiffness), inertia);
   // Linear bulk viscosity (Landshoff 1955), as explicit codes have it against the ringing of pressure waves;
   // it follows the last step's rate of dilatation.
   const double b = settings.bulk_viscosity;
@@ -192,27 +191,34 @@ void compute_cells(const CellForceSettings& settings, const CellArrays& cells, s
     const int used = end - c < lanes ? end - c : lanes;
     const double* sums_rows[lanes] = {};
     double* force_rows[lanes] = {};
-    alignas(64) double scalars[8][lanes];
+    alignas(64) double scalars[9][lanes];
     for (int l = 0; l < lanes; ++l) {
       const std::int32_t cell = c + (l < used ? l : used - 1);  // lanes without a cell repeat the last one
       const CellShape& shape = cells.shapes[cell];
-      const double values[8] = {shape.r_c, shape.a,   shape.zb0,           shape.zb1,
-                                shape.zt0, shape.zt1, cells.modulus[cell], cells.divergence[cell]};
-      for (int i = 0; i < 8; ++i) scalars[i][l] = values[i];
+      const double values[9] = {shape.r_c,
+                                shape.a,
+                                shape.zb0,
+                                shape.zb1,
+                                shape.zt0,
+                                shape.zt1,
+                                cells.modulus[cell],
+                                cells.divergence[cell],
+                                cells.least_step[cell]};
+      for (int i = 0; i < 9; ++i) scalars[i][l] = values[i];
       sums_rows[l] = reinterpret_cast<const double*>(cells.sums + cell);
       force_rows[l] = reinterpret_cast<double*>(cells.forces + cell);
     }
     const Shapes s = {load(scalars[0]), load(scalars[1]), load(scalars[2]),
                       load(scalars[3]), load(scalars[4]), load(scalars[5])};
-    const Pack modulus = load(scalars[6]), divergence = load(scalars[7]);
+    const Pack modulus = load(scalars[6]), divergence = load(scalars[7]), least_step = load(scalars[8]);
     Pack sums[sizeof(CellSums) / sizeof(double)], out[sizeof(CellForces) / sizeof(double)];
     load_fields<CPT_FIELD(CellSums, volume), 32>(sums_rows, sums);
     for (int i = 0; i < 2; ++i) out[CPT_FIELD(CellForces, unused) + i] = splat(0.0);
     const Mask slanted = greater(abs(s.zb1) + abs(s.zt1), splat(0.0));
     if (any(slanted))
-      compute<true>(settings, sums, s, modulus, divergence, out);
+      compute<true>(settings, sums, s, modulus, divergence, least_step, out);
     else
-      compute<false>(settings, sums, s, modulus, divergence, out);
+      compute<false>(settings, sums, s, modulus, divergence, least_step, out);
     store_fields<sizeof(CellForces) / sizeof(double)>(out, force_rows, used);
   }
 }

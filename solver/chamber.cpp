@@ -12,7 +12,8 @@ ChamberBoundary::ChamberBoundary(const Setup& setup, const Mesh& mesh, const Lef
       left_(left),
       free_wall_(setup.chamber.wall == Wall::flexible || setup.mechanisms.compliant_wall.on()),
       friction_(setup.mechanisms.wall_friction.on()),
-      wall_push_(mesh.wall_nodes().size()),
+      applied_(mesh.wall_nodes().size()),
+      reaction_(mesh.wall_nodes().size()),
       displacement_(setup.chamber.soil_height) {
   z_.reserve(mesh.wall_nodes().size());
   v_r_.reserve(mesh.wall_nodes().size());
@@ -22,7 +23,7 @@ ChamberBoundary::ChamberBoundary(const Setup& setup, const Mesh& mesh, const Lef
 // surcharge's side stays rigid.
 void ChamberBoundary::apply_wall_stress(Model& model) {
   wall_force_ = 0.0;
-  std::ranges::fill(wall_push_, 0.0);
+  std::ranges::fill(applied_, 0.0);
   if (!free_wall_ && !friction_) return;
   const CompliantWall& compliant = setup_.mechanisms.compliant_wall;
   const Mesh& mesh = model.mesh();
@@ -41,8 +42,8 @@ void ChamberBoundary::apply_wall_stress(Model& model) {
         const double force = stress * R * (z1 - z0) / 2.0;
         model.nodes().force.r[wall[k]] -= (1.0 - N1) * force;
         model.nodes().force.r[wall[k + 1]] -= N1 * force;
-        wall_push_[k] += (1.0 - N1) * force;
-        wall_push_[k + 1] += N1 * force;
+        applied_[k] += (1.0 - N1) * force;
+        applied_[k + 1] += N1 * force;
       }
       if (friction_) {
         const double force = wall_shear(setup_, left_, z) * R * (z1 - z0) / 2.0;
@@ -61,16 +62,22 @@ double ChamberBoundary::fix_boundaries(Model& model, double dt) {
     model.set_velocity(n, in_r ? 0.0 : nodes.velocity.r[n], in_r ? nodes.velocity.z[n] : 0.0);
     model.hold({n, in_r ? 1.0 : 0.0, in_r ? 0.0 : 1.0, 0.0, false});
   };
-  for (const std::int32_t n : mesh.axis_nodes()) fix(n, true);
+  const auto starts = [&model](std::int32_t n) { return model.levels().node_starts(n); };
+  for (const std::int32_t n : mesh.axis_nodes())
+    if (starts(n)) fix(n, true);
   const std::vector<std::int32_t>& wall = mesh.wall_nodes();
   for (std::size_t k = 0; k < wall.size(); ++k) {
     const std::int32_t n = wall[k];
-    if (free_wall_ && mesh.node_z(n) <= 1e-9) continue;
-    wall_push_[k] = nodes.inertia[n] * nodes.velocity.r[n] / dt;
-    fix(n, true);
+    if (free_wall_ && mesh.node_z(n) <= 1e-9) {
+      reaction_[k] = 0.0;
+    } else if (starts(n)) {
+      reaction_[k] = nodes.inertia[n] * nodes.velocity.r[n] / model.step_of_node(n, dt);
+      fix(n, true);
+    }
   }
   double impulse = wall_force_ * dt;
   for (const std::int32_t n : mesh.bottom_nodes()) {
+    if (!starts(n)) continue;
     impulse -= nodes.inertia[n] * nodes.velocity.z[n];
     fix(n, false);
   }
@@ -85,7 +92,7 @@ double ChamberBoundary::wall_stress(const Mesh& mesh, double depth) const {
   for (std::size_t k = 0; k < wall.size(); ++k) {
     const double z = mesh.node_z(wall[k]);
     if (std::abs(z + depth) > reach) continue;
-    push += wall_push_[k];
+    push += applied_[k] + reaction_[k];
     const double below = k > 0 ? mesh.node_z(wall[k - 1]) : z;
     const double above = k + 1 < wall.size() ? mesh.node_z(wall[k + 1]) : z;
     height += 0.5 * (above - below);

@@ -33,8 +33,9 @@ class ChamberBoundary {
   const Setup& setup_;
   LeftBehind left_;
   bool free_wall_, friction_;
-  double wall_force_ = 0.0;        // [N/rad] upward, of this step
-  std::vector<double> wall_push_;  // [N/rad] of the soil on each wall node, of this step
+  double wall_force_ = 0.0;       // [N/rad] upward, of this step
+  std::vector<double> applied_;   // [N/rad] inward, on each wall node in this step
+  std::vector<double> reaction_;  // [N/rad] inward, of a rigid wall's nodes in their last step
   WallDisplacement displacement_;
   std::vector<double> z_, v_r_;  // of the wall's nodes in the soil
 };

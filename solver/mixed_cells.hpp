@@ -50,8 +50,5 @@ inline constexpr double largest_jump = 0.04;
 /// exceeded; then all are scaled down alike.
 bool share_motion(std::span<SoilInCell> soils, const InterfaceNormal& normal, const CellStrainRate& rate,
                   double dt);
-/// then all are scaled down alike.
-bool share_motion(std::span<const SoilInCell> soils, const InterfaceNormal& normal,
-                  const CellStrainRate& rate, double dt, std::span<PlaneGradient> jumps);
 
 }  // namespace cpt::solver

@@ -32,7 +32,8 @@ Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std:
       soils_(std::move(soils)),
       settings_(settings),
       kernels_(transfer_kernels()),
-      compute_cell_forces_(cell_force_kernel()) {
+      compute_cell_forces_(cell_force_kernel()),
+      levels_(mesh_) {
   const std::size_t cells = mesh_.cells().size(), nodes = static_cast<std::size_t>(mesh_.node_count());
   sums_.resize(cells);
   forces_.resize(cells);
@@ -47,12 +48,18 @@ Model::Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std:
   work_.assign(cells, 0.0);
   divergence_.assign(cells, 0.0);
   filled_at_start_.assign(cells, 0);
+  every_step_.assign(cells, 0);
+  stable_.assign(cells, INFINITY);
+  least_step_.assign(cells, 0.0);
   for (auto* field : {&nodes_.inertia, &nodes_.mass, &p_r_, &p_z_}) field->assign(nodes, 0.0);
-  for (NodalVector* field :
-       {&nodes_.velocity, &nodes_.change, &nodes_.force, &nodes_.moving, &nodes_.smooth}) {
-    field->r.assign(nodes, 0.0);
-    field->z.assign(nodes, 0.0);
-  }
+  const auto make = [nodes](NodalVector& field) {
+    field.r.assign(nodes, 0.0);
+    field.z.assign(nodes, 0.0);
+  };
+  for (NodalVector* field : {&nodes_.velocity, &nodes_.change, &nodes_.force, &nodes_.own, &nodes_.moving,
+                             &nodes_.smooth, &gathered_})
+    make(*field);
+  for (int level = 0; level <= settings.most_level; ++level) make(changed_[level]);
   impulses_.resize(cells);
   holds_.reserve(nodes);
   leavers_.resize(static_cast<std::size_t>(settings_.threads));
@@ -69,17 +76,21 @@ StrainScratch Model::scratch(int thread) {
           base + 4 * scratch_stride_};
 }
 
-// Shares the cells out to threads by their number of points.
+// Shares the cells out to threads by how many points they move in a cycle.
 void Model::split_cells() {
   const auto cells = static_cast<std::int32_t>(mesh_.cells().size());
   split_.assign(static_cast<std::size_t>(settings_.threads) + 1, cells);
   split_[0] = 0;
-  std::int64_t seen = 0;
+  const auto work = [this](std::int32_t b) {
+    return static_cast<std::int64_t>(points_.bucket(b).count)
+           << (highest_level - levels_.of_cell(b / settings_.materials));
+  };
+  std::int64_t all = 0, seen = 0;
+  for (std::int32_t b = 0; b < points_.bucket_count(); ++b) all += work(b);
   std::size_t next = 1;
   for (std::int32_t b = 0; b < points_.bucket_count(); ++b) {
-    seen += points_.bucket(b).count;
-    while (next < split_.size() - 1 &&
-           seen * settings_.threads >= points_.size() * static_cast<std::int64_t>(next))
+    seen += work(b);
+    while (next < split_.size() - 1 && seen * settings_.threads >= all * static_cast<std::int64_t>(next))
       split_[next++] = b / settings_.materials + 1;
   }
 }
@@ -127,26 +138,54 @@ void Model::compute_nodal_forces() {
   settings.bulk_viscosity = settings_.bulk_viscosity;
   settings.gravity = settings_.gravity;
   settings.materials = settings_.materials;
-  settings.target_step = settings_.target_step;
   std::copy_n(settings_.weight_ratio, most_materials, settings.weight_ratio);
   settings.partial_cells = settings_.partial_cells;
-  const CellArrays arrays = {sums_.data(), shapes_.data(), modulus_.data(), divergence_.data(),
-                             forces_.data()};
+  const CellArrays arrays = {sums_.data(),       shapes_.data(),     modulus_.data(),
+                             divergence_.data(), least_step_.data(), forces_.data()};
+  if (levels_.all_meet()) std::ranges::fill(least_step_, 0.0);
+  // The cells of a block that stand still get again what they have.
   for_each_index((cells + cells_at_once - 1) / cells_at_once, settings_.threads, [&](std::int32_t block) {
     const std::int32_t first = block * cells_at_once, end = std::min(first + cells_at_once, cells);
+    bool any_starts = false;
+    for (std::int32_t c = first; c < end; ++c) any_starts = any_starts || levels_.cell_starts(c);
+    if (!any_starts) return;
     compute_cell_forces_(settings, arrays, first, end);
     if (settings_.partial_cells)
       for (std::int32_t c = first; c < end; ++c) add_surface_loads(c, forces_[c]);
   });
-  for_each_index(mesh_.node_count(), settings_.threads, [this](std::int32_t n) { assemble_node(n); });
+  if (levels_.all_meet()) begin_cycle();
+  for_each_index(mesh_.node_count(), settings_.threads, [this](std::int32_t n) {
+    if (levels_.node_starts(n)) assemble_node(n);
+  });
   condense({&nodes_.inertia, &nodes_.mass, &nodes_.force.r, &nodes_.force.z, &p_r_, &p_z_});
   for_each_index(mesh_.node_count(), settings_.threads, [this](std::int32_t n) {
+    if (!levels_.node_starts(n)) return;
     const double inverse = nodes_.mass[n] > 0.0 ? 1.0 / nodes_.mass[n] : 0.0;
     nodes_.velocity.r[n] = p_r_[n] * inverse;
     nodes_.velocity.z[n] = p_z_[n] * inverse;
   });
-  time_step_ = INFINITY;
+}
+
+void Model::follow_every_step(std::int32_t node) {
+  const NodeCells& around = mesh_.node_cells()[node];
+  for (int i = 0; i < 4 && around.cell[i] >= 0; ++i) every_step_[around.cell[i]] = 1;
+}
+
+// All cells meet: the next time step and the levels for it. Until they meet again a cell that stiffens gets
+// the inertia that its level needs.
+void Model::begin_cycle() {
+  const auto cells = static_cast<std::int32_t>(forces_.size());
+  time_step_ = settings_.longest_step;
   for (const CellForces& f : forces_) time_step_ = std::min(time_step_, f.time_step);
+  if (settings_.most_level == 0) return;
+  for (std::int32_t c = 0; c < cells; ++c) stable_[c] = every_step_[c] ? time_step_ : forces_[c].time_step;
+  int most = settings_.most_level;
+  while (most > 0 && time_step_ * static_cast<double>(1 << most) > settings_.longest_step) --most;
+  levels_.assign(mesh_, stable_, time_step_, most);
+  const double b = settings_.bulk_viscosity;
+  const double inertial = time_step_ / (settings_.courant * (std::sqrt(1.0 + b * b) - b));
+  for (std::int32_t c = 0; c < cells; ++c)
+    least_step_[c] = inertial * static_cast<double>(1 << levels_.of_cell(c));
 }
 
 // A traction at the soil's top rides on the topmost material points.
@@ -188,12 +227,16 @@ void Model::accelerate(double dt) {
   const double damping = settings_.local_damping;
   holds_.clear();
   for_each_index(mesh_.node_count(), settings_.threads, [&](std::int32_t n) {
+    if (!levels_.node_starts(n)) {
+      nodes_.change.r[n] = nodes_.change.z[n] = 0.0;
+      return;
+    }
     double f_r = nodes_.force.r[n], f_z = nodes_.force.z[n];
     if (damping > 0.0) {
       f_r -= damping * std::copysign(std::abs(f_r), nodes_.velocity.r[n]);
       f_z -= damping * std::copysign(std::abs(f_z), nodes_.velocity.z[n]);
     }
-    const double factor = nodes_.inertia[n] > 0.0 ? dt / nodes_.inertia[n] : 0.0;
+    const double factor = nodes_.inertia[n] > 0.0 ? step_of_node(n, dt) / nodes_.inertia[n] : 0.0;
     nodes_.change.r[n] = f_r * factor;
     nodes_.change.z[n] = f_z * factor;
     nodes_.velocity.r[n] += nodes_.change.r[n];
@@ -279,15 +322,17 @@ const SoilInCell* Model::share_cell_motion(std::int32_t c, const CellMotion& mot
   rate.plane.zz += correction;
   rate.hoop += correction;
 
-  mixed_steps_[c] += 1.0;
-  if (share_motion({soils, count}, normals_[c], rate, motion.dt)) limited_steps_[c] += 1.0;
+  const double steps = static_cast<double>(1 << levels_.of_cell(c));  // of the smallest
+  mixed_steps_[c] += steps;
+  if (share_motion({soils, count}, normals_[c], rate, motion.dt)) limited_steps_[c] += steps;
   return soils;
 }
 
 void Model::move_points(double dt) {
-  interpolate({&nodes_.velocity.r, &nodes_.velocity.z, &nodes_.change.r, &nodes_.change.z});
   filter_velocities();
+  add_changes();
   for_each_index(static_cast<std::int32_t>(sums_.size()), settings_.threads, [this](std::int32_t c) {
+    if (!levels_.cell_ends(c)) return;
     soils_in_[c] = static_cast<std::int32_t>(
         std::ranges::count_if(sums_[c].material_mass, [](double m) { return m > 0.0; }));
     if (soils_in_[c] > 1) normals_[c] = interface_normal(c);
@@ -296,11 +341,13 @@ void Model::move_points(double dt) {
   for (int t = 0; t < settings_.threads; ++t) {
     leavers_[t].clear();
     for (std::int32_t c = split_[t]; c < split_[t + 1]; ++c) {
+      if (!levels_.cell_ends(c)) continue;
       const Cell& cell = mesh_.cells()[c];
-      move_cell(c, dt, t, cell, mesh_.shape(cell));
+      move_cell(c, dt * static_cast<double>(1 << levels_.of_cell(c)), t, cell, mesh_.shape(cell));
     }
   }
   rehome_leavers();
+  levels_.advance();
   if (settings_.threads > 1 && ++steps_ % steps_between_splits == 0) split_cells();
 }
 
@@ -318,14 +365,15 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
   const auto field = [&](const std::vector<double>& values) {
     return bilinear(values[cell.node[0]], values[cell.node[1]], values[cell.node[2]], values[cell.node[3]]);
   };
+  const int level = levels_.of_cell(c);
   CellMotion motion;
   motion.shape = shapes_[c];
   motion.v_r = field(nodes_.moving.r);
   motion.v_z = field(nodes_.moving.z);
   motion.smooth_r = field(nodes_.smooth.r);
   motion.smooth_z = field(nodes_.smooth.z);
-  motion.dv_r = field(nodes_.change.r);
-  motion.dv_z = field(nodes_.change.z);
+  motion.dv_r = field(changed_[level].r);
+  motion.dv_z = field(changed_[level].z);
   motion.divergence = 0.0;
   for (int k = 0; k < 4; ++k)
     motion.divergence +=
@@ -333,7 +381,7 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
   divergence_[c] = motion.divergence;
   work_[c] += forces.viscous * motion.divergence * dt * volume;
   motion.dt = dt;
-  motion.pic_fraction = settings_.pic_fraction;
+  motion.pic_fraction = std::min(1.0, settings_.pic_fraction * static_cast<double>(1 << levels_.of_cell(c)));
   motion.mean_stress[0] = forces.s_rr;
   motion.mean_stress[1] = forces.s_zz;
   motion.mean_stress[2] = forces.s_tt;
@@ -375,15 +423,21 @@ void Model::move_cell(std::int32_t c, double dt, int thread, const Cell& cell, c
 }
 
 // Points that left their cell find their new one, in the order of cells: the same for any number of threads.
+// Into a cell in the midst of its step none can go: until that ends they stay where they were, at its edge.
 void Model::rehome_leavers() {
   for (const auto& list : leavers_)
     for (const Leaver& leaver : list) {
       const PointFields p = points_.fields(points_.bucket(leaver.bucket));
       mesh_.move_outside(p.r[leaver.slot], p.z[leaver.slot]);
       const Location at = mesh_.locate(p.r[leaver.slot], p.z[leaver.slot]);
+      const std::int32_t material = leaver.bucket % settings_.materials;
+      if (!levels_.cell_ends(at.cell)) {
+        add_to_sums(sums_[leaver.bucket / settings_.materials], p, static_cast<std::size_t>(leaver.slot),
+                    material);
+        continue;
+      }
       p.xi[leaver.slot] = at.xi;
       p.eta[leaver.slot] = at.eta;
-      const std::int32_t material = leaver.bucket % settings_.materials;
       const std::int32_t to = at.cell * settings_.materials + material;
       std::int32_t k = leaver.slot;
       const double modulus = modulus_[leaver.bucket / settings_.materials];

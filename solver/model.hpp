@@ -3,6 +3,7 @@
 // `move_points`.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "solver/material_points.hpp"
 #include "solver/mesh.hpp"
 #include "solver/soils/law.hpp"
+#include "solver/step_levels.hpp"
 #include "solver/transfer.hpp"
 
 namespace cpt::solver {
@@ -24,8 +26,9 @@ using SoilModels = std::vector<std::unique_ptr<const SoilModel>>;
 struct ModelSettings {
   double courant = 0.8;
   double mass_scaling = 1.0;
-  std::int32_t materials = 1;  // soils and surcharge
-  double target_step = 0.0;    // [s] to which inertia raises the step of small and stiff cells
+  std::int32_t materials = 1;      // soils and surcharge
+  double longest_step = INFINITY;  // [s] of any cell
+  int most_level = 0;              // [-] of the local time steps
   double pic_fraction = 0.0;
   double local_damping = 0.0;
   double bulk_viscosity = 0.0;
@@ -43,13 +46,14 @@ struct NodalVector {
   std::vector<double> r, z;
 };
 
-/// Nodal fields, one entry a node.
+/// Nodal fields, one entry a node. A node between two steps of its own keeps them, but its change is zero.
 struct Nodes {
   std::vector<double> inertia;  // [kg/rad] mass times mass scaling, consistent with the Gauss integration
   std::vector<double> mass;     // [kg/rad] sum of N m over material points
   NodalVector velocity;         // [m/s] before `accelerate` at the start, then at the end of the step
   NodalVector change;           // [m/s] of it over the step
   NodalVector force;            // [N/rad] internal and body forces
+  NodalVector own;              // [m/s] velocity that the points give back to the node at the end of the step
   NodalVector moving;           // [m/s] what moves and strains the points
   NodalVector smooth;           // [m/s] what the points' own velocities are drawn to
 };
@@ -72,18 +76,27 @@ class Model {
   Model(Mesh mesh, const std::vector<Point>& points, const std::vector<std::int32_t>& material_of,
         SoilModels soils, const ModelSettings& settings);
 
-  /// Stage 1: stresses and weights to nodal forces; masses and velocities to nodes.
+  /// The cells around a node are to be updated at every step, whatever steps their own stiffness bears.
+  void follow_every_step(std::int32_t node);
+  /// Stage 1: stresses and weights to nodal forces; masses and velocities to nodes. Where all cells meet, the
+  /// time step of the next cycle and its levels too.
   void compute_nodal_forces();
-  /// Largest stable time step [s] times the Courant number, from the stiffness of the last stress update.
+  /// [s] Largest stable time step of any cell times the Courant number, from the stiffness where all cells
+  /// met last, but settings().longest_step at most.
   [[nodiscard]] double stable_time_step() const { return time_step_; }
-  /// Stage 2: free acceleration of all nodes, without boundaries.
+  [[nodiscard]] const StepLevels& levels() const { return levels_; }
+  /// [s] of the node's own step.
+  [[nodiscard]] double step_of_node(std::int32_t n, double dt) const {
+    return dt * static_cast<double>(1 << levels_.of_node(n));
+  }
+  /// Stage 2: free acceleration of the nodes whose step begins, without boundaries.
   void accelerate(double dt);
   /// Sets the velocity at the end of the step of a node; used by boundaries and contact.
   void set_velocity(std::int32_t node, double v_r, double v_z);
   /// The velocity of a node that strains the soil keeps this component as well.
   void hold(const Hold& hold) { holds_.push_back(hold); }
   /// Stage 3: nodes to points, stress update, points back to the cells of the mesh, which the caller has
-  /// moved to its position at the end of the step.
+  /// moved to its position at the end of the step; in the cells whose step ends.
   void move_points(double dt);
 
   [[nodiscard]] Mesh& mesh() { return mesh_; }
@@ -94,7 +107,8 @@ class Model {
   [[nodiscard]] const std::vector<CellSums>& sums() const { return sums_; }
   [[nodiscard]] const ModelSettings& settings() const { return settings_; }
 
-  /// What the next step reads before it writes it. The model that reads has been made from the same setup.
+  /// What the next step reads before it writes it, where all cells meet. The model that reads has been made
+  /// from the same setup.
   template <class Archive>
   void exchange(Archive& archive) {
     double depth = mesh_.tip_depth();
@@ -127,12 +141,14 @@ class Model {
   void add_surface_loads(std::int32_t c, CellForces& forces) const;
   void assemble_node(std::int32_t n);
   void condense(std::initializer_list<std::vector<double>*> fields) const;
-  void interpolate(std::initializer_list<std::vector<double>*> fields) const;
+  void interpolate(std::initializer_list<NodalVector*> fields) const;
   [[nodiscard]] InterfaceNormal interface_normal(std::int32_t c) const;
   /// The soils of a cell of several, in the order of their numbers, each with its jump.
   const SoilInCell* share_cell_motion(std::int32_t c, const CellMotion& motion, int thread);
-  void gather(const NodalVector& field, NodalVector& gathered);
+  void begin_cycle();
+  void gather(const NodalVector& field);
   void filter_velocities();
+  void add_changes();
   void move_cell(std::int32_t c, double dt, int thread, const Cell& cell, const CellShape& new_shape);
   void sum_all_points();
   void rehome_leavers();
@@ -155,13 +171,19 @@ class Model {
   std::vector<std::int32_t> soils_in_;               // number of soils in a cell
   std::vector<InterfaceNormal> normals_;             // of cells with several
   std::vector<SoilInCell> sharing_;                  // scratch, most_materials for each thread
-  std::vector<double> mixed_steps_, limited_steps_;  // [-] of a cell, whole numbers
+  std::vector<double> mixed_steps_, limited_steps_;  // [-] of a cell, smallest steps
   std::vector<double> work_;                         // [J/rad] by cell
   std::vector<double> divergence_;                   // [1/s] mean of a cell in the last step
   std::vector<char> filled_at_start_;
+  StepLevels levels_;
+  std::vector<char> every_step_;    // of a cell: see follow_every_step
+  std::vector<double> stable_;      // [s] largest step of each cell
+  std::vector<double> least_step_;  // [s] that a cell's inertia has to bear
   Nodes nodes_;
-  std::vector<double> p_r_, p_z_;  // [kg m/s/rad] nodal momentum of the points
-  std::vector<Hold> holds_;        // of this step
+  NodalVector gathered_;
+  NodalVector changed_[highest_level + 1];  // [m/s] since the step of the cells of each level began
+  std::vector<double> p_r_, p_z_;           // [kg m/s/rad] nodal momentum of the points
+  std::vector<Hold> holds_;                 // of this step
   std::vector<CornerImpulse> impulses_;
   double time_step_ = 0.0;
   std::int64_t steps_ = 0;

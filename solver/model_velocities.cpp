@@ -1,7 +1,4 @@
 // Which velocity moves and strains the points, and what happens at nodes that hang between two others.
-#include <tuple>
-#include <utility>
-
 #include "solver/for_each_index.hpp"
 #include "solver/model.hpp"
 
@@ -13,31 +10,36 @@ constexpr double corner_eta[4] = {-1.0, -1.0, 1.0, 1.0};
 
 }  // namespace
 
-// What gathers at a hanging node belongs to its two neighbours.
+// What gathers at a hanging node belongs to its two neighbours, to those whose step begins.
 void Model::condense(std::initializer_list<std::vector<double>*> fields) const {
   for (const HangingNode& h : mesh_.hanging_nodes()) {
+    const bool to_lower = levels_.node_starts(h.lower), to_upper = levels_.node_starts(h.upper);
+    if (!to_lower && !to_upper) continue;
     const double upper = mesh_.hanging_weight(h), lower = 1.0 - upper;
     for (std::vector<double>* field : fields) {
       const double value = (*field)[h.node];
-      (*field)[h.lower] += lower * value;
-      (*field)[h.upper] += upper * value;
+      if (to_lower) (*field)[h.lower] += lower * value;
+      if (to_upper) (*field)[h.upper] += upper * value;
       (*field)[h.node] = 0.0;
     }
   }
 }
 
-void Model::interpolate(std::initializer_list<std::vector<double>*> fields) const {
+void Model::interpolate(std::initializer_list<NodalVector*> fields) const {
   for (const HangingNode& h : mesh_.hanging_nodes()) {
+    if (!levels_.node_starts(h.node)) continue;
     const double upper = mesh_.hanging_weight(h), lower = 1.0 - upper;
-    for (std::vector<double>* field : fields)
-      (*field)[h.node] = lower * (*field)[h.lower] + upper * (*field)[h.upper];
+    for (NodalVector* field : fields)
+      for (std::vector<double>* of : {&field->r, &field->z})
+        (*of)[h.node] = lower * (*of)[h.lower] + upper * (*of)[h.upper];
   }
 }
 
 // Nodal values as the points would give them back: P times the field, with P the consistent over the lumped
-// mass matrix.
-void Model::gather(const NodalVector& field, NodalVector& gathered) {
+// mass matrix; for the nodes whose step begins, but those that hang.
+void Model::gather(const NodalVector& field) {
   for_each_index(static_cast<std::int32_t>(sums_.size()), settings_.threads, [&](std::int32_t c) {
+    if (!levels_.cell_feels(c)) return;
     const double* m = sums_[c].moment;
     const std::int32_t* node = mesh_.cells()[c].node;
     CornerImpulse& impulse = impulses_[c];
@@ -55,22 +57,23 @@ void Model::gather(const NodalVector& field, NodalVector& gathered) {
     corners(field.z, impulse.z);
   });
   for_each_index(mesh_.node_count(), settings_.threads, [&](std::int32_t n) {
+    if (!levels_.node_starts(n)) return;
     const NodeCells& around = mesh_.node_cells()[n];
     double r = 0.0, z = 0.0;
     for (int i = 0; i < 4 && around.cell[i] >= 0; ++i) {
       r += impulses_[around.cell[i]].r[around.corner[i]];
       z += impulses_[around.cell[i]].z[around.corner[i]];
     }
-    gathered.r[n] = r;
-    gathered.z[n] = z;
+    gathered_.r[n] = r;
+    gathered_.z[n] = z;
   });
-  condense({&gathered.r, &gathered.z});
+  condense({&gathered_.r, &gathered_.z});
   for_each_index(mesh_.node_count(), settings_.threads, [&](std::int32_t n) {
+    if (!levels_.node_starts(n)) return;
     const double inverse = nodes_.mass[n] > 0.0 ? 1.0 / nodes_.mass[n] : 0.0;
-    gathered.r[n] *= inverse;
-    gathered.z[n] *= inverse;
+    gathered_.r[n] *= inverse;
+    gathered_.z[n] *= inverse;
   });
-  interpolate({&gathered.r, &gathered.z});
 }
 
 // Nearly the velocity that the points themselves have on the nodes at the end of the step, v + P dv. Strains
@@ -78,25 +81,25 @@ void Model::gather(const NodalVector& field, NodalVector& gathered) {
 // (I - P) dv, damps what no node resolves: some of it stays (docs/numerics.md). What is held keeps its
 // velocity.
 void Model::filter_velocities() {
-  gather(nodes_.change, nodes_.moving);
-  const auto of_points = [this](std::int32_t n) {
-    return std::pair{nodes_.velocity.r[n] - nodes_.change.r[n] + nodes_.moving.r[n],
-                     nodes_.velocity.z[n] - nodes_.change.z[n] + nodes_.moving.z[n]};
-  };
-  if (settings_.pic_fraction > 0.0) {
-    NodalVector& own = nodes_.force;  // not needed any more in this step
-    for_each_index(mesh_.node_count(), settings_.threads,
-                   [&](std::int32_t n) { std::tie(own.r[n], own.z[n]) = of_points(n); });
-    gather(own, nodes_.smooth);
-    for_each_index(mesh_.node_count(), settings_.threads, [&](std::int32_t n) {
-      nodes_.smooth.r[n] = 2.0 * own.r[n] - nodes_.smooth.r[n];
-      nodes_.smooth.z[n] = 2.0 * own.z[n] - nodes_.smooth.z[n];
-    });
-  }
-  for_each_index(mesh_.node_count(), settings_.threads, [&](std::int32_t n) {
-    const auto [r, z] = of_points(n);
-    nodes_.moving.r[n] = r + unfiltered * (nodes_.change.r[n] - nodes_.moving.r[n]);
-    nodes_.moving.z[n] = z + unfiltered * (nodes_.change.z[n] - nodes_.moving.z[n]);
+  const std::int32_t nodes = mesh_.node_count();
+  interpolate({&nodes_.velocity, &nodes_.change});
+  gather(nodes_.change);
+  // A cell in the midst of its step gives what its nodes gained to its points later, but they have it.
+  for_each_index(static_cast<std::int32_t>(sums_.size()), settings_.threads, [&](std::int32_t c) {
+    if (levels_.cell_ends(c) || !levels_.cell_feels(c)) return;
+    for (int k = 0; k < 4; ++k) {
+      sums_[c].p_r[k] += impulses_[c].r[k];
+      sums_[c].p_z[k] += impulses_[c].z[k];
+    }
+  });
+  for_each_index(nodes, settings_.threads, [&](std::int32_t n) {
+    if (!levels_.node_starts(n)) return;
+    const double before_r = nodes_.velocity.r[n] - nodes_.change.r[n],
+                 before_z = nodes_.velocity.z[n] - nodes_.change.z[n];
+    nodes_.own.r[n] = before_r + gathered_.r[n];
+    nodes_.own.z[n] = before_z + gathered_.z[n];
+    nodes_.moving.r[n] = nodes_.own.r[n] + unfiltered * (nodes_.change.r[n] - gathered_.r[n]);
+    nodes_.moving.z[n] = nodes_.own.z[n] + unfiltered * (nodes_.change.z[n] - gathered_.z[n]);
   });
   for (const Hold& hold : holds_) {
     double &r = nodes_.moving.r[hold.node], &z = nodes_.moving.z[hold.node];
@@ -105,7 +108,28 @@ void Model::filter_velocities() {
     r += change * hold.n_r;
     z += change * hold.n_z;
   }
-  interpolate({&nodes_.moving.r, &nodes_.moving.z});
+  interpolate({&nodes_.own, &nodes_.moving});
+  if (!(settings_.pic_fraction > 0.0)) return;
+  gather(nodes_.own);
+  for_each_index(nodes, settings_.threads, [&](std::int32_t n) {
+    if (!levels_.node_starts(n)) return;
+    nodes_.smooth.r[n] = 2.0 * nodes_.own.r[n] - gathered_.r[n];
+    nodes_.smooth.z[n] = 2.0 * nodes_.own.z[n] - gathered_.z[n];
+  });
+  interpolate({&nodes_.smooth});
+}
+
+// What the nodes gain in this step, for the points of the cells around them.
+void Model::add_changes() {
+  for_each_index(mesh_.node_count(), settings_.threads, [&](std::int32_t n) {
+    if (!levels_.node_starts(n)) return;
+    for (int level = levels_.of_node(n); level <= levels_.highest_around(n); ++level) {
+      NodalVector& changed = changed_[level];
+      const double kept = levels_.level_starts(level) ? 0.0 : 1.0;
+      changed.r[n] = kept * changed.r[n] + nodes_.change.r[n];
+      changed.z[n] = kept * changed.z[n] + nodes_.change.z[n];
+    }
+  });
 }
 
 }  // namespace cpt::solver

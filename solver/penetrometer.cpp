@@ -46,7 +46,7 @@ ContactStrength PenetrometerContact::contact_strength(const Model& model, std::i
   return {friction / mass, adhesion / mass};
 }
 
-PenetrometerLoad PenetrometerContact::apply_contact(Model& model, double speed, double dt) const {
+PenetrometerLoad PenetrometerContact::apply_contact(Model& model, double speed, double dt) {
   const Mesh& mesh = model.mesh();
   const Nodes& nodes = model.nodes();
   const double half_apex = setup_.penetrometer.apex / 2.0;
@@ -55,6 +55,7 @@ PenetrometerLoad PenetrometerContact::apply_contact(Model& model, double speed, 
   const auto chain = [&](std::size_t k) { return k < face.size() ? face[k] : shaft[k - face.size()]; };
   const std::size_t count = face.size() + shaft.size(), shoulder = face.size() - 1;
   const double z_shoulder = mesh.node_z(face[shoulder]);
+  upward_.resize(count);
 
   PenetrometerLoad load;
   const double two_pi = 2.0 * std::numbers::pi;
@@ -85,21 +86,24 @@ PenetrometerLoad PenetrometerContact::apply_contact(Model& model, double speed, 
       contact.n_r = n_r / length;
       contact.n_z = n_z / length;
     }
-    const ContactStrength strength = contact_strength(model, n);
-    contact.friction = strength.friction;
-    contact.adhesion = strength.adhesion;
-
-    const ContactImpulse impulse =
-        resolve_contact(contact, nodes.inertia[n], nodes.velocity.r[n], nodes.velocity.z[n], speed, dt);
-    model.set_velocity(n, k == 0 ? 0.0 : impulse.v_r, impulse.v_z);
-    model.hold({n, contact.n_r, contact.n_z, -speed * contact.n_z, impulse.J_r == 0.0 && impulse.J_z == 0.0});
-    const double upward = -impulse.J_z / dt * two_pi;
-    (k <= shoulder ? load.cone_force : load.shaft_force) += upward;
+    if (model.levels().node_starts(n)) {
+      const ContactStrength strength = contact_strength(model, n);
+      contact.friction = strength.friction;
+      contact.adhesion = strength.adhesion;
+      const double step = model.step_of_node(n, dt);
+      const ContactImpulse impulse =
+          resolve_contact(contact, nodes.inertia[n], nodes.velocity.r[n], nodes.velocity.z[n], speed, step);
+      model.set_velocity(n, k == 0 ? 0.0 : impulse.v_r, impulse.v_z);
+      model.hold(
+          {n, contact.n_r, contact.n_z, -speed * contact.n_z, impulse.J_r == 0.0 && impulse.J_z == 0.0});
+      upward_[k] = -impulse.J_z / step * two_pi;
+      load.dissipation += impulse.dissipation * two_pi;
+    }
+    (k <= shoulder ? load.cone_force : load.shaft_force) += upward_[k];
     if (k > shoulder && z <= z_shoulder + setup_.penetrometer.sleeve_length) {
-      load.sleeve_force += upward;
+      load.sleeve_force += upward_[k];
       load.sleeve_area += contact.area * two_pi;
     }
-    load.dissipation += impulse.dissipation * two_pi;
   }
   return load;
 }

@@ -31,7 +31,7 @@ struct ContactImpulse {
 [[nodiscard]] ContactImpulse resolve_contact(const ContactNode& node, double inertia, double v_r, double v_z,
                                              double speed, double dt);
 
-/// What the soil did to the penetrometer during one step, over the full circumference.
+/// What the soil does to the penetrometer in one step, over the full circumference.
 struct PenetrometerLoad {
   double cone_force = 0.0;    // [N] upward, on face and shoulder
   double sleeve_force = 0.0;  // [N] upward, on the nodes of the friction sleeve
@@ -44,8 +44,9 @@ class PenetrometerContact {
  public:
   explicit PenetrometerContact(const Setup& setup);
 
-  /// Applies contact to the nodes after `accelerate`; the penetrometer moves at `speed` [m/s].
-  PenetrometerLoad apply_contact(Model& model, double speed, double dt) const;
+  /// Applies contact to the nodes whose step begins, after `accelerate`; the penetrometer moves at `speed`
+  /// [m/s]. The others press on as they did.
+  PenetrometerLoad apply_contact(Model& model, double speed, double dt);
 
   [[nodiscard]] double projected_area() const;  // [m2]
 
@@ -54,6 +55,7 @@ class PenetrometerContact {
 
   const Setup& setup_;
   std::vector<ContactStrength> of_material_;  // none for the surcharge
+  std::vector<double> upward_;                // [N] on each node's part of the surface, in its last step
 };
 
 }  // namespace cpt::solver

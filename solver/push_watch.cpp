@@ -22,7 +22,8 @@ double PushWatch::wall_seconds() const {
 }
 
 void PushWatch::after_step(double depth, Outcome& outcome, const std::function<PushState()>& state) {
-  if (outcome.steps % steps_between_looks != 0 || outcome.status != Status::completed) return;
+  if (outcome.steps < next_look_ || outcome.status != Status::completed) return;
+  next_look_ = outcome.steps + steps_between_looks;
   const double now = wall_seconds();
   if (now > execution_.wall_limit_seconds) {
     outcome.status = Status::time_limit;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <limits>
 
@@ -20,7 +21,7 @@ class PushWatch {
   /// A push that is resumed had spent so many seconds, those before it included.
   void go_on_from(double seconds) { earlier_seconds_ = seconds; }
 
-  /// After each step; looks at the clock now and then, and may end the push. `state` makes what is to be
+  /// After steps; looks at the clock now and then, and may end the push. `state` makes what is to be
   /// kept.
   void after_step(double depth, Outcome& outcome, const std::function<PushState()>& state);
 
@@ -30,6 +31,7 @@ class PushWatch {
   const Execution& execution_;
   double final_depth_, earlier_seconds_;
   double last_report_ = -std::numeric_limits<double>::infinity();  // the first one is due at once
+  std::int64_t next_look_ = 0;                                     // [-] steps
   Clock::time_point start_ = Clock::now();
 };
 

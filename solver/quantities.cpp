@@ -11,6 +11,7 @@
 
 #include "solver/mechanisms/catalogue.hpp"
 #include "solver/quantity_builders.hpp"
+#include "solver/step_levels.hpp"
 
 namespace cpt::solver {
 namespace {
@@ -162,12 +163,12 @@ std::vector<Quantity> numerics_quantities() {
                                         "Courant number", "0.95 in Yost et al. (2023), section 4.1"),
       number<group, &Numerics::mass_scaling>("numerics.mass_scaling", "f_mass", none, 1.0, 1.0e6, any_soil,
                                              "factor on the inertia, not on the weight", paper_model),
-      number<group, &Numerics::target_step>(
-          "numerics.target_step_s", "Δt_target", seconds, 0.0, 0.1, any_soil,
-          "largest stable step up to which small and stiff cells get more inertia, at a "
-          "mass scaling of 1e4 and cells of 6.3 mm "
-          "around the tip; 0: none",
-          numerical),
+      number<group, &Numerics::step_levels>("numerics.step_levels", "n_levels", none, 0.0, highest_level,
+                                            any_soil,
+                                            "local time steps: soft and large cells are updated every 2nd, "
+                                            "4th, ... 2^n-th step; 0: all of them at "
+                                            "every step",
+                                            numerical),
       number<group, &Numerics::pic_fraction>("numerics.pic_fraction", "PIC", none, 0.0, 1.0, any_soil,
                                              "share of PIC of second order in the velocity update; 0 is FLIP",
                                              numerical),

@@ -62,9 +62,6 @@ struct PointZone {
   double rows_per_metre;  // [1/m] rows of points per metre of height
 };
 
-inline constexpr double target_mass_scaling = 1.0e4;  ///< [-] at which Numerics::target_step is given
-inline constexpr double target_height = 0.006325;     ///< [m] at which Numerics::target_step is given
-
 /// Lengths are given for a cone of `for_diameter` and grow with the penetrometer's (refinement.hpp).
 struct Numerics {
   double for_diameter = 0.0253;      // [m] the cone of Yost et al. (2023); no input
@@ -84,11 +81,7 @@ struct Numerics {
   double point_shift = 0.0;     // [-] draws where the points lie about their grid (point_grid.hpp)
   double courant = 0.95;        // [-]
   double mass_scaling = 1.0e4;  // [-] on inertia only
-  // Small and stiff cells, those under the cone's face first, would set a small step to all: their inertia
-  // grows until their largest stable step is this one [s]; 0 = none. Given for a mass scaling of
-  // target_mass_scaling and cells of target_height around the tip: it follows the square root of the one and
-  // the other.
-  double target_step = 1.05e-3;
+  int step_levels = 4;          // [-] soft and large cells: steps of up to 2^step_levels (step_levels.hpp)
   double pic_fraction = 0.005;  // [-] 0 = FLIP, 1 = PIC of second order
   double local_damping = 0.0;   // [-] fraction of the out-of-balance force
   double bulk_viscosity =

@@ -42,8 +42,8 @@ ModelSettings make_settings(const Setup& setup, int threads) {
   const Numerics& numerics = setup.numerics;
   s.courant = numerics.courant;
   s.mass_scaling = numerics.mass_scaling;
-  s.target_step = numerics.target_step * std::sqrt(numerics.mass_scaling / target_mass_scaling) *
-                  numerics.near_height / target_height;
+  s.longest_step = farthest_in_a_step * numerics.near_height / setup.penetrometer.speed;
+  s.most_level = numerics.step_levels;
   s.pic_fraction = numerics.pic_fraction;
   s.local_damping = numerics.local_damping;
   s.bulk_viscosity = numerics.bulk_viscosity;
@@ -64,8 +64,11 @@ ModelSettings make_settings(const Setup& setup, int threads) {
 Model make_model(const Setup& setup, const LeftBehind& left, int threads) {
   SoilModels soils = make_soils(setup);
   const InitialState start = initial_state(setup, soils, left);
-  return Model(Mesh(chamber_layout(setup)), start.points, start.material, std::move(soils),
-               make_settings(setup, threads));
+  Model model(Mesh(chamber_layout(setup)), start.points, start.material, std::move(soils),
+              make_settings(setup, threads));
+  if (setup.mechanisms.compliant_wall.on())  // its spring may be stiffer than the soil
+    for (const std::int32_t n : model.mesh().wall_nodes()) model.follow_every_step(n);
+  return model;
 }
 
 Outcome invalid(const std::vector<Problem>& found) {
@@ -115,7 +118,7 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
   PushWatch watch(observer, execution, setup.penetrometer.final_depth, before.wall_seconds);
   Model model = make_model(setup, before.left, execution.threads);
   ChamberBoundary chamber(setup, model.mesh(), before.left);
-  const PenetrometerContact penetrometer(setup);
+  PenetrometerContact penetrometer(setup);
   Recorder recorder(setup.numerics.bin_height, setup.penetrometer.final_depth, nominal_area);
   Auditor auditor(model);
 
@@ -125,6 +128,7 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
   const double final_depth = setup.penetrometer.final_depth;
   const double first_depth = model.mesh().tip_depth();
   double depth = first_depth, time = 0.0, first_step = 0.0;
+  std::int64_t next_check = steps_between_checks;
   const auto exchange = [&](auto& archive) {
     before.exchange(archive);
     model.exchange(archive);
@@ -135,6 +139,7 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
     archive("push.time", time);
     archive("push.steps", outcome.steps);
     archive("push.first_step", first_step);
+    archive("push.next_check", next_check);
   };
   const std::function<PushState()> state = [&] {
     StateWriter writer;
@@ -150,7 +155,6 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
     watch.go_on_from(seconds);
   }
 
-  const double longest_step = farthest_in_a_step * setup.numerics.near_height / setup.penetrometer.speed;
   double next_look = observer.next_look();
   const auto look = [&] {
     observer.look(depth, model.points());
@@ -158,10 +162,12 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
   };
   if (depth >= next_look) look();
 
-  while (depth < final_depth && outcome.status == Status::completed) {
+  // What looks at the points or ends the push waits until all cells meet.
+  const auto all_meet = [&model] { return model.levels().all_meet(); };
+  while (!all_meet() || (depth < final_depth && outcome.status == Status::completed)) {
     model.compute_nodal_forces();
     chamber.apply_wall_stress(model);
-    const double dt = std::min(model.stable_time_step(), longest_step);
+    const double dt = model.stable_time_step();
     if (outcome.steps == 0) first_step = dt;
     if (!(dt > 1e-3 * first_step)) {
       outcome.status = Status::did_not_converge;
@@ -178,13 +184,16 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
     model.move_points(dt);
 
     recorder.add(depth + 0.5 * speed * dt, {load, chamber.wall_stress(model.mesh(), depth)}, dt);
-    auditor.add_step(model, load, bottom_impulse, speed, dt);
+    auditor.add_step(load, bottom_impulse, speed, dt);
     depth += speed * dt;
     ++outcome.steps;
+    if (!all_meet()) continue;
     if (depth >= next_look) look();
 
-    if (outcome.steps % steps_between_checks == 0)
+    if (outcome.steps >= next_check) {
+      next_check = outcome.steps + steps_between_checks;
       outcome.reason = auditor.check(model, depth - first_depth, outcome.status);
+    }
     watch.after_step(depth, outcome, state);
   }
 
@@ -221,7 +230,7 @@ std::string_view to_string(Status status) {
   return "unknown";
 }
 
-std::string_view solver_version() { return "0.6"; }
+std::string_view solver_version() { return "0.7"; }
 
 Outcome simulate(const Setup& setup, Observer& observer, const Execution& execution) {
   std::vector<Problem> found = problems(setup);

@@ -53,8 +53,8 @@ TEST(Examples, HaveTheirRealizations) {
   expect_study("paper/dense_flexible.toml", Profile::homogeneous_sand, Preset::paper, 2);
   expect_study("paper/second_push.toml", Profile::homogeneous_sand, Preset::paper, 2);
   expect_study("paper/image_pressure.toml", Profile::homogeneous_sand, Preset::paper, 3);
-  expect_study("numerics/sand.toml", Profile::homogeneous_sand, Preset::quick, 24);
-  expect_study("numerics/clay.toml", Profile::homogeneous_clay, Preset::quick, 25);
+  expect_study("numerics/sand.toml", Profile::homogeneous_sand, Preset::quick, 23);
+  expect_study("numerics/clay.toml", Profile::homogeneous_clay, Preset::quick, 24);
   expect_study("numerics/sand_fine.toml", Profile::homogeneous_sand, Preset::fine, 1);
   expect_study("numerics/clay_fine.toml", Profile::homogeneous_clay, Preset::fine, 1);
   expect_study("numerics/layered_fine.toml", Profile::layered_sand_clay, Preset::fine, 1);

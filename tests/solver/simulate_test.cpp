@@ -78,7 +78,8 @@ TEST(Simulate, ImpossibleInputIsAnOutcome) {
 
 TEST(Simulate, ARunawayStateEndsTheRunWithAReason) {
   // Pushed far faster than the scaled waves travel: the work goes into kinetic energy.
-  solver::Setup setup = short_push(Profile::homogeneous_sand);
+  solver::Setup setup = short_push(Profile::homogeneous_clay);
+  clay_of(setup).G = 1e5;
   setup.numerics.mass_scaling = 1e6;
   setup.penetrometer.speed = 0.5;
   setup.numerics.start_distance = 0.0;

@@ -50,7 +50,7 @@ double kinetic_energy(const Model& model) {
 
 // Kinetic energy of tiny random velocities in an elastic body on a mesh at rest after some steps, over that
 // at the start. Points hardly move, so nothing but the time integration can feed them.
-double growth(const Mesh& mesh, std::vector<Point> points, double courant, int steps) {
+double growth(const Mesh& mesh, std::vector<Point> points, double courant, int steps, int levels = 0) {
   std::mt19937 generator(1);
   std::normal_distribution<double> random(0.0, 1e-9);
   for (Point& p : points) {
@@ -61,6 +61,7 @@ double growth(const Mesh& mesh, std::vector<Point> points, double courant, int s
   ModelSettings settings;
   settings.gravity = 0.0;
   settings.courant = courant;
+  settings.most_level = levels;
   Model model(mesh, points, std::vector<std::int32_t>(points.size(), 0), one_soil(elastic_soil(1e6, 0.49)),
               settings);
   const double start = kinetic_energy(model);
@@ -70,7 +71,7 @@ double growth(const Mesh& mesh, std::vector<Point> points, double courant, int s
     if (r) model.hold({n, 1.0, 0.0, 0.0, false});
     if (z) model.hold({n, 0.0, 1.0, 0.0, false});
   };
-  for (int k = 0; k < steps; ++k) {
+  for (int k = 0; k < steps || !model.levels().all_meet(); ++k) {
     model.compute_nodal_forces();
     const double dt = model.stable_time_step();
     model.accelerate(dt);
@@ -96,10 +97,19 @@ TEST(TimeStep, NothingGrowsOnTheMeshOfAnyPreset) {
       solver::Setup actual = setup;
       actual.numerics = refined(setup);
       const Mesh mesh(chamber_layout(actual));
-      EXPECT_LT(growth(mesh, initial_state(actual, {}).points, courant, 300), 1.0)
-          << to_string(preset) << " " << refinement;
+      for (const int levels : {0, Numerics{}.step_levels})
+        EXPECT_LT(growth(mesh, initial_state(actual, {}).points, courant, 300, levels), 1.0)
+            << to_string(preset) << " " << refinement << " " << levels;
     }
   }
+}
+
+// Rows that grow by a tenth each: all levels, some of them one cell wide, for many cycles.
+TEST(TimeStep, NothingGrowsWhereAllLevelsMeet) {
+  std::vector<double> z = {0.0};
+  for (double height = 0.002; z.size() < 40; height *= 1.1) z.push_back(z.back() + height);
+  const Mesh mesh(plain_layout(lines(0.0, 0.3, 3), z));
+  EXPECT_LT(growth(mesh, fill(mesh, 3, 2000.0), Numerics{}.courant, 8000, highest_level), 1.0);
 }
 
 // The test above could not fail otherwise, and the bound is not far from the truth.
