@@ -53,8 +53,11 @@ TEST(Examples, HaveTheirRealizations) {
   expect_study("paper/dense_flexible.toml", Profile::homogeneous_sand, Preset::paper, 2);
   expect_study("paper/second_push.toml", Profile::homogeneous_sand, Preset::paper, 2);
   expect_study("paper/image_pressure.toml", Profile::homogeneous_sand, Preset::paper, 3);
+  expect_study("paper/at_rest.toml", Profile::homogeneous_sand, Preset::paper, 3);
+  expect_study("paper/at_rest_flexible.toml", Profile::homogeneous_sand, Preset::paper, 3);
   expect_study("numerics/sand.toml", Profile::homogeneous_sand, Preset::quick, 23);
   expect_study("numerics/clay.toml", Profile::homogeneous_clay, Preset::quick, 24);
+  expect_study("numerics/layered.toml", Profile::layered_sand_clay, Preset::quick, 23);
   expect_study("numerics/sand_fine.toml", Profile::homogeneous_sand, Preset::fine, 1);
   expect_study("numerics/clay_fine.toml", Profile::homogeneous_clay, Preset::fine, 1);
   expect_study("numerics/layered_fine.toml", Profile::layered_sand_clay, Preset::fine, 1);
@@ -90,6 +93,12 @@ TEST(Examples, ChamberStudiesDifferFromEachOtherAsThePaperSays) {
   setup = homogeneous.baseline;
   solver::sand_of(setup).OCR = 2.0;
   EXPECT_EQ(solver::canonical_text(example("paper/image_pressure.toml").baseline),
+            solver::canonical_text(setup));
+  setup = homogeneous.baseline;
+  solver::sand_of(setup).start = solver::SandStart::at_rest;
+  EXPECT_EQ(solver::canonical_text(example("paper/at_rest.toml").baseline), solver::canonical_text(setup));
+  setup.chamber.wall = solver::Wall::flexible;
+  EXPECT_EQ(solver::canonical_text(example("paper/at_rest_flexible.toml").baseline),
             solver::canonical_text(setup));
   setup = homogeneous.baseline;
   setup.chamber.wall = solver::Wall::flexible;

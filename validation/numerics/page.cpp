@@ -8,6 +8,7 @@
 #include "drawing/text.hpp"
 #include "reports/labels.hpp"
 #include "validation/numerics/sentences.hpp"
+#include "validation/numerics/systematic.hpp"
 
 namespace cpt::validation::numerics {
 namespace {
@@ -153,6 +154,7 @@ std::string section(const NumericsStudy& study, const std::string& figures) {
 std::string page(const std::vector<NumericsStudy>& studies, const std::string& figures) {
   std::string out(head);
   out += presets(studies);
+  out += systematic_section(studies);
   for (const NumericsStudy& study : studies)
     if (!study.settings.empty()) out += section(study, figures);
   return out;

@@ -31,8 +31,9 @@ std::string why_not(const results::RealizationRow* run) {
 }  // namespace
 
 std::vector<std::string_view> study_names() {
-  return {sand_study,        clay_study,           layered_study,     flexible_study,
-          dense_rigid_study, dense_flexible_study, second_push_study, image_pressure_study};
+  return {
+      sand_study,           clay_study,        layered_study,        flexible_study, dense_rigid_study,
+      dense_flexible_study, second_push_study, image_pressure_study, at_rest_study,  at_rest_flexible_study};
 }
 
 Studies read_studies(const std::filesystem::path& folder) {

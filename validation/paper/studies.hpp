@@ -22,6 +22,8 @@ inline constexpr std::string_view dense_rigid_study = "dense_rigid";
 inline constexpr std::string_view dense_flexible_study = "dense_flexible";
 inline constexpr std::string_view second_push_study = "second_push";
 inline constexpr std::string_view image_pressure_study = "image_pressure";
+inline constexpr std::string_view at_rest_study = "at_rest";
+inline constexpr std::string_view at_rest_flexible_study = "at_rest_flexible";
 [[nodiscard]] std::vector<std::string_view> study_names();
 
 /// Inputs of the studies that findings and figures speak of.

@@ -13,6 +13,7 @@
 #include "validation/numerics/page.hpp"
 #include "validation/numerics/sentences.hpp"
 #include "validation/numerics/settings_figure.hpp"
+#include "validation/numerics/systematic.hpp"
 #include "validation/numerics/write_numerics.hpp"
 
 namespace cpt::validation::numerics {
@@ -147,6 +148,31 @@ TEST_F(Numerics, MeshesGiveTheOrderAndTheLimit) {
   EXPECT_NEAR(triples[0].error.extrapolated, 240.0, 1e-6);
   EXPECT_TRUE(has(sentences(study, "deep"), "observed order 1.00, 240.0 kPa at cell size zero"));
   EXPECT_TRUE(mesh_triples(run("finest"), "deep").empty());
+}
+
+// Finest cells take 9 of 252 kPa off, light inertia 3; no run has more points.
+TEST_F(Numerics, TheSystematicErrorStandsBesideTheNoise) {
+  const NumericsStudy study = run();
+  const auto error = systematic_error(study, "deep");
+  ASSERT_TRUE(error);
+  EXPECT_NEAR(*error->cell_size, -9.0 / 252.0, 1e-9);
+  EXPECT_FALSE(error->points);
+  EXPECT_NEAR(*error->inertia, -3.0 / 252.0, 1e-9);
+  EXPECT_NEAR(error->together, std::hypot(9.0, 3.0) / 252.0, 1e-9);
+  ASSERT_TRUE(error->chance);
+  EXPECT_NEAR(*error->chance, results::prediction_half_width(*repeats_in(study, "deep")) / 252.0, 1e-9);
+  const std::string text = systematic_section({study});
+  EXPECT_NE(text.find("| −3.6 % | – | −1.2 % | 3.8 % | ± "), std::string::npos) << text;
+  EXPECT_NE(text.find(error->together > *error->chance ? "more than the noise" : "within the noise"),
+            std::string::npos)
+      << text;
+  // Without its repeats nothing is said of chance.
+  NumericsStudy alone = run();
+  alone.repeats.resize(1);
+  EXPECT_FALSE(systematic_error(alone, "deep")->chance);
+  alone.settings.clear();
+  EXPECT_FALSE(systematic_error(alone, "deep"));
+  EXPECT_EQ(systematic_section({alone}), "");
 }
 
 TEST_F(Numerics, WhatHasNotRunIsLeftOut) {
