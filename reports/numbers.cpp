@@ -77,15 +77,15 @@ Table sensitivity_table(const Snapshot& s) {
 Table realization_table(const Snapshot& s) {
   Table table{{"id", "parameter", "side", "value", "status", "reason", "wall_s", "steps", "material_points",
                "mass_error", "momentum_error", "energy_error", "kinetic_fraction", "max_empty_cells",
-               "limited_share", "out_of_line", "settings_hash", "solver_version"},
+               "limited_share", "safeguarded_share", "out_of_line", "settings_hash", "solver_version"},
               {}};
   for (const auto& r : s.realizations)
     add_row(table, whole(r.id), r.parameter, r.side, r.value_text, r.status, r.reason,
             number_or_empty(r.wall_s), whole(r.steps), whole(r.material_points),
             number_or_empty(r.audit.mass_error), number_or_empty(r.audit.momentum_error),
             number_or_empty(r.audit.energy_error), number_or_empty(r.audit.kinetic_fraction),
-            whole(r.audit.max_empty_cells), number_or_empty(r.audit.limited_share), r.out_of_line,
-            r.settings_hash, r.solver_version);
+            whole(r.audit.max_empty_cells), number_or_empty(r.audit.limited_share),
+            number_or_empty(r.audit.safeguarded_share), r.out_of_line, r.settings_hash, r.solver_version);
   return table;
 }
 

@@ -10,6 +10,7 @@ namespace cpt::solver {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
+constexpr int checks_between_counts = 10;  // every point is evaluated
 
 struct Totals {
   double mass = 0.0, momentum = 0.0, kinetic = 0.0, weight_energy = 0.0, weight = 0.0;
@@ -62,6 +63,8 @@ std::string Auditor::check(const Model& model, double travel, Status& status) {
   kinetic_ = t.kinetic;
   const int empty = model.empty_cells();
   audit_.max_empty_cells = std::max(audit_.max_empty_cells, empty);
+  if (checks_++ % checks_between_counts == 0)
+    audit_.safeguarded_share = std::max(audit_.safeguarded_share, model.safeguarded_share());
   status = Status::did_not_converge;
   if (!std::isfinite(t.kinetic) || !std::isfinite(t.weight_energy))
     return fmt::format("a velocity or position became non-finite after {:.1f} mm of travel", travel * 1e3);

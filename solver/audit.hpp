@@ -36,6 +36,8 @@ class Auditor {
     archive("audit.kinetic", kinetic_);
     archive("audit.kinetic_fraction", audit_.kinetic_fraction);
     archive("audit.max_empty_cells", audit_.max_empty_cells);
+    archive("audit.safeguarded_share", audit_.safeguarded_share);
+    archive("audit.checks", checks_);
     archive("audit.min_time_step", audit_.min_time_step);
     archive("audit.max_time_step", audit_.max_time_step);
   }
@@ -48,6 +50,7 @@ class Auditor {
   double impulse_ = 0.0, penetrometer_impulse_ = 0.0;  // [N s]
   double penetrometer_work_ = 0.0, sliding_ = 0.0;     // [J]
   double kinetic_ = 0.0;                               // [J] at the last check
+  std::int64_t checks_ = 0;
 };
 
 }  // namespace cpt::solver

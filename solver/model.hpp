@@ -130,6 +130,8 @@ class Model {
   [[nodiscard]] int empty_cells() const;
   /// Work done by the stresses on the points so far [J/rad].
   [[nodiscard]] double internal_work() const;
+  /// Points that a safeguard of their law holds, over all points of soil [-].
+  [[nodiscard]] double safeguarded_share() const;
   /// Cells of several soils whose jump was limited, over all such cells, summed over the steps [-].
   [[nodiscard]] double limited_share() const;
 

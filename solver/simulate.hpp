@@ -29,14 +29,15 @@ enum class Status {
 
 /// What the run conserved and how it behaved (solver/audit.hpp says how each is computed).
 struct Audit {
-  double mass_error = 0.0;        // [-] relative change of the total mass of the material points
-  double momentum_error = 0.0;    // [-] vertical impulse balance, relative to the penetrometer's impulse
-  double energy_error = 0.0;      // [-] energy balance, relative to the penetrometer's work
-  double kinetic_fraction = 0.0;  // [-] largest kinetic energy over the penetrometer's work, after the start
-  int max_empty_cells = 0;        // [-]
-  double limited_share = 0.0;     // [-] cells of several soils that could not share their motion in one step
-  double min_time_step = 0.0;     // [s]
-  double max_time_step = 0.0;     // [s]
+  double mass_error = 0.0;         // [-] relative change of the total mass of the material points
+  double momentum_error = 0.0;     // [-] vertical impulse balance, relative to the penetrometer's impulse
+  double energy_error = 0.0;       // [-] energy balance, relative to the penetrometer's work
+  double kinetic_fraction = 0.0;   // [-] largest kinetic energy over the penetrometer's work, after the start
+  int max_empty_cells = 0;         // [-]
+  double limited_share = 0.0;      // [-] cells of several soils that could not share their motion in one step
+  double safeguarded_share = 0.0;  // [-] largest share of the points whose state a safeguard of the law held
+  double min_time_step = 0.0;      // [s]
+  double max_time_step = 0.0;      // [s]
 };
 
 struct Outcome {

@@ -77,6 +77,14 @@ function of_design(window) {
     `${first.dropped ? `; ${first.dropped} runs are missing` : ""}.${doubt}`];
 }
 
+/// "homogeneous sand", "3 layers of sand and clay": the soils that are there, whatever profile they came from.
+function profile_words(campaign) {
+  const soils = [...new Set(campaign.layers.map((layer) => layer.soil))];
+  if (campaign.layers.length < 2) return soils.length ? `homogeneous ${soils[0]}` : campaign.campaign.profile.replaceAll("_", " ");
+  const names = soils.length < 2 ? soils[0] : `${soils.slice(0, -1).join(", ")} and ${soils.at(-1)}`;
+  return `${campaign.layers.length} layers of ${names}`;
+}
+
 function glance() {
   const done = runs.filter((run) => run.status === "completed").length;
   const lost = runs.filter(failed).length;
@@ -92,7 +100,7 @@ function glance() {
     fact("uncertain inputs", String(data.parameters.length)),
     has_design ? fact("design", data.design.replaceAll("_", " ")) : null,
     fact("computing time", duration(seconds)),
-    fact("profile", data.campaign.profile.replaceAll("_", " ")),
+    fact("profile", profile_words(data)),
     fact("preset", data.campaign.preset));
   byId("glance").append(
     el("progress", { max: runs.length, value: done, "aria-label": "realizations completed" }), facts);

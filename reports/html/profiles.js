@@ -286,7 +286,7 @@ function profiles() {
       "Point at a curve to read it, click to highlight it, drag over depths to zoom, double-click for the whole depth. " +
       "Keys: ← → next curve, ↑ ↓ depth, Enter highlight, + − zoom, Esc whole depth. Bands: windows." +
       (data.layers.length > 1 ? " Dashed across: where two layers meet." : "") +
-      (curves.some(starts_at) ? " Dashed curves: the start of the push, where the cone's sudden speed adds to the soil's resistance." : ""))),
+      (curves.some(starts_at) ? " Faint dashes at a curve's beginning: the start of the push, where the cone's sudden speed adds to the soil's resistance." : ""))),
     spoken);
   on_width(section, draw);
 }

@@ -26,4 +26,8 @@ inline constexpr double most_empty_share = 2.0e-4;
 /// over all such steps (solver/mixed_cells.hpp).
 inline constexpr double most_limited_share = 1.0e-3;
 
+/// safeguarded_share [-]: points whose state a safeguard of their law holds where the law itself would be
+/// undefined, over the points of soil, at worst. The presets have none.
+inline constexpr double most_safeguarded_share = 1.0e-3;
+
 }  // namespace cpt::results

@@ -50,6 +50,7 @@ std::vector<RowColumn<Run>> run_columns() {
       column("kinetic_fraction", "", &Run::audit, &Audit::kinetic_fraction),
       column("max_empty_cells", "", &Run::audit, &Audit::max_empty_cells),
       column("limited_share", "", &Run::audit, &Audit::limited_share),
+      column("safeguarded_share", "", &Run::audit, &Audit::safeguarded_share),
       column("min_time_step_s", "", &Run::audit, &Audit::min_time_step),
       column("max_time_step_s", "", &Run::audit, &Audit::max_time_step),
   };
@@ -258,7 +259,7 @@ const std::vector<RowColumn<RealizationRow>>& sealed_columns() {
     for (const char* name :
          {"settings_hash", "solver_version", "status", "reason", "steps", "material_points",
           "max_empty_cells", "wall_s", "mass_error", "momentum_error", "energy_error", "kinetic_fraction",
-          "min_time_step_s", "max_time_step_s", "limited_share"})
+          "min_time_step_s", "max_time_step_s", "limited_share", "safeguarded_share"})
       columns.push_back(*std::ranges::find(all, name, &RowColumn<Run>::name));
     return columns;
   }();

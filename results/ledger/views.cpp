@@ -15,10 +15,13 @@ namespace {
 
 // Replaces the names of bounds in capitals: a definition is stored as it is sent, so it holds no parameters.
 std::string with_bounds(std::string sql) {
-  const std::pair<std::string_view, double> bounds[] = {
-      {"ROUNDING", parameters::rounding_share}, {"MOST_ENERGY", most_energy_error},
-      {"MOST_MOMENTUM", most_momentum_error},   {"MOST_KINETIC", most_kinetic_fraction},
-      {"MOST_EMPTY", most_empty_share},         {"MOST_LIMITED", most_limited_share}};
+  const std::pair<std::string_view, double> bounds[] = {{"ROUNDING", parameters::rounding_share},
+                                                        {"MOST_ENERGY", most_energy_error},
+                                                        {"MOST_MOMENTUM", most_momentum_error},
+                                                        {"MOST_KINETIC", most_kinetic_fraction},
+                                                        {"MOST_EMPTY", most_empty_share},
+                                                        {"MOST_LIMITED", most_limited_share},
+                                                        {"MOST_SAFEGUARDED", most_safeguarded_share}};
   const auto replace = [&](std::string_view name, const std::string& text) {
     for (auto at = sql.find(name); at != sql.npos; at = sql.find(name)) sql.replace(at, name.size(), text);
   };
@@ -35,7 +38,7 @@ std::string with_bounds(std::string sql) {
 constexpr const char* audit_view = R"sql(
 CREATE VIEW audit AS
 SELECT id AS realization, parameter, side, status, mass_error, momentum_error, energy_error, kinetic_fraction,
-       max_empty_cells, limited_share,
+       max_empty_cells, limited_share, safeguarded_share,
        CASE WHEN status = 'completed' THEN rtrim(
          CASE WHEN abs(energy_error) > MOST_ENERGY
               THEN printf('energy error %.0f %%, ', 100 * energy_error) ELSE '' END ||
@@ -46,7 +49,10 @@ SELECT id AS realization, parameter, side, status, mass_error, momentum_error, e
          CASE WHEN max_empty_cells > MOST_EMPTY * material_points
               THEN printf('%d empty cells, ', max_empty_cells) ELSE '' END ||
          CASE WHEN limited_share > MOST_LIMITED
-              THEN printf('%.2f %% of the motion of mixed cells limited, ', 100 * limited_share) ELSE '' END, ', ') END AS out_of_line
+              THEN printf('%.2f %% of the motion of mixed cells limited, ', 100 * limited_share) ELSE '' END ||
+         CASE WHEN safeguarded_share > MOST_SAFEGUARDED
+              THEN printf('%.2f %% of the points at a safeguard of their law, ', 100 * safeguarded_share) ELSE '' END, ', ')
+       END AS out_of_line
 FROM realization;
 )sql";
 

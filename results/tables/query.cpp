@@ -33,7 +33,8 @@ constexpr std::array<NamedQuery, 7> questions = {{
 constexpr std::array<std::string_view, questions.size() - 1> question_statements = {
     "SELECT id, r.parameter, r.side, value_text AS value, r.status, wall_s, steps, material_points, "
     "r.mass_error, "
-    "r.momentum_error, r.energy_error, r.kinetic_fraction, r.max_empty_cells, r.limited_share, out_of_line "
+    "r.momentum_error, r.energy_error, r.kinetic_fraction, r.max_empty_cells, r.limited_share, "
+    "r.safeguarded_share, out_of_line "
     "FROM realization "
     "AS r "
     "JOIN audit ON audit.realization = id ORDER BY id",

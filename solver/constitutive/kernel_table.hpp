@@ -7,6 +7,8 @@
 
 namespace cpt::solver::CPT_KERNEL_NAMESPACE {
 
+constexpr double near_yield = 1e-4;  // [-] |F| / p of a point that yields, for what only reports it
+
 [[maybe_unused]] static double update_norsand(const NorSandConstants& c, const Batch& batch) {
   Pack modulus = splat(0.0);
   for (decltype(batch.size) k = 0; k < batch.size; k += lanes)
@@ -27,6 +29,11 @@ namespace cpt::solver::CPT_KERNEL_NAMESPACE {
   flow_at(c, y, w, Deviator{}, none(), f);
   const Image image = image_at(c, w, y.e), at_p = image_at(c, powers_at(c, p, p), y.e);
   const Pack q = f.eta * f.p;
+  const Pack elastic = f.K * f.n_p * f.n_p + 2.0 * f.G * contract(f.n, f.m);
+  const bool held = image.D[0] <= smallest_chi_denominator ||
+                    image.M_itc_D[0] <= least_M * c.M_tc * image.D[0] || e - c.e_min_star <= smallest_gap;
+  const bool soft = f.yield[0] > -near_yield &&
+                    f.stiffness[0] < 1.000001 * least_stiffness * elastic[0];  // but for rounding
   return {y.p[0],
           q[0],
           13.5 * determinant(f.unit)[0],
@@ -39,7 +46,8 @@ namespace cpt::solver::CPT_KERNEL_NAMESPACE {
           f.n_p[0],
           f.G[0],
           f.K[0],
-          f.yield[0]};
+          f.yield[0],
+          held || soft};
 }
 
 }  // namespace cpt::solver::CPT_KERNEL_NAMESPACE

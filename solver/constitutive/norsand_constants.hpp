@@ -53,6 +53,8 @@ struct NorSandState {
   double D_p;        // [-] plastic dilatancy M_i - q/p
   double G, K;       // [Pa] elastic moduli
   double yield;      // [-] F / p: positive outside the yield surface
+  bool limited;      // a limit that keeps the law defined is what holds D, M_itc, e - e_min_star or, on the
+                     // yield surface, the plastic stiffness
 };
 
 }  // namespace cpt::solver

@@ -13,6 +13,7 @@ using Constants = NorSandConstants;
 
 constexpr double smallest_chi_denominator = 0.25;  // [-] of 1 - slope chi_tc / M_tc
 constexpr double smallest_gap = 0.01;              // [-] of e - e_min_star
+constexpr double least_M = 0.1;                    // [-] of M_itc / M_tc
 
 /// Symmetric trace-free tensor; the hoop component is -(rr + zz).
 struct Deviator {
@@ -118,7 +119,7 @@ CPT_INLINE Image image_at(const Constants& c, const Powers& w, Pack e) {
   const Pack slope = image.slope;
   image.D = at_least(1.0 - c.chi_over_M * slope, splat(smallest_chi_denominator));
   const Pack M_tc_D = c.M_tc * image.D;
-  image.M_itc_D = at_least(M_tc_D - (c.N * c.chi_tc) * abs(image.psi), 0.1 * M_tc_D);
+  image.M_itc_D = at_least(M_tc_D - (c.N * c.chi_tc) * abs(image.psi), least_M * M_tc_D);
   return image;
 }
 

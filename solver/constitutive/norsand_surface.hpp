@@ -35,6 +35,8 @@ CPT_INLINE Pack yield_value(const Constants& c, Pack p, const Deviator& s, const
          (q2 * inverse_q * image.D - p * image.M_itc_D * lode.ratio * (1.0 + w.log_p_i - w.log_p));
 }
 
+constexpr double least_stiffness = 1e-2;  // [-] of the plastic stiffness over its elastic part
+
 /// Everything a plastic increment needs at a state; n and m are gradients of F, in p and in the deviator.
 struct Flow {
   Pack yield;      // [-] F / p
@@ -150,7 +152,7 @@ CPT_INLINE Pack hardening_power(const Constants& c, Pack p_over_p_i, const Power
   const Pack yield_growth = f.p * f.M_i + q_over_M * M_itc_growth;                     // -p_i dF/dp_i
   f.yield_e = q_over_M * (signed_N * chi);
   const Pack elastic = f.K * f.n_p * f.n_p + 2.0 * f.G * contract(f.n, f.m);
-  f.stiffness = at_least(elastic + yield_growth * relative, 1e-2 * elastic);
+  f.stiffness = at_least(elastic + yield_growth * relative, least_stiffness * elastic);
 }
 
 }  // namespace cpt::solver::CPT_KERNEL_NAMESPACE

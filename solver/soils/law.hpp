@@ -53,6 +53,9 @@ class SoilModel {
   [[nodiscard]] virtual double update(const Batch& batch) const = 0;
   /// Poisson's ratio [-] of its elastic response.
   [[nodiscard]] virtual double poissons_ratio() const = 0;
+  /// Points among the first `count` of a batch whose state a safeguard of the law holds, where the law itself
+  /// would be undefined.
+  [[nodiscard]] virtual std::int32_t safeguarded(const Batch&, std::int32_t /*count*/) const { return 0; }
   /// State variables at the start.
   [[nodiscard]] virtual PointHistory start(const PointStart&) const { return {}; }
 };

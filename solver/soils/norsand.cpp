@@ -78,6 +78,15 @@ class Model : public SoilModel {
       : law_(parameters, crushing), parameters_(parameters) {}
   [[nodiscard]] double update(const Batch& batch) const override { return law_.update(batch); }
   [[nodiscard]] double poissons_ratio() const override { return parameters_.nu; }
+  [[nodiscard]] std::int32_t safeguarded(const Batch& batch, std::int32_t count) const override {
+    std::int32_t held = 0;
+    for (std::int32_t k = 0; k < count; ++k)
+      if (law_.evaluate({batch.s_rr[k], batch.s_zz[k], batch.s_tt[k], batch.s_rz[k]}, batch.e[k],
+                        batch.h_0[k])
+              .limited)
+        ++held;
+    return held;
+  }
   [[nodiscard]] PointHistory start(const PointStart& s) const override {
     return {image_pressure_at(s, parameters_, law_)};
   }

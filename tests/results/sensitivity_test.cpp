@@ -301,7 +301,9 @@ TEST_F(SensitivityView, SaysWhichRunsOfAnIndexAreOutOfLine) {
   off.audit.energy_error = -(most_energy_error + 0.08);
   off.audit.kinetic_fraction = most_kinetic_fraction + 0.05;
   off.audit.limited_share = 2.5 * most_limited_share;
+  off.audit.safeguarded_share = 3.0 * most_safeguarded_share;
   fine.audit.limited_share = most_limited_share;
+  fine.audit.safeguarded_share = most_safeguarded_share;
   rough.audit.momentum_error = most_momentum_error + 0.01;
   fine.audit.energy_error = -most_energy_error;  // at the bound: in line
   base.audit.max_empty_cells =
@@ -311,13 +313,13 @@ TEST_F(SensitivityView, SaysWhichRunsOfAnIndexAreOutOfLine) {
   const Snapshot s = run(levels, {{1, base}, {3, off}, {7, rough}, {8, fine}});
   EXPECT_EQ(find(s, "deep", "sand.H").note,
             "upper run out of line: energy error -18 %, kinetic energy 15 %, "
-            "0.25 % of the motion of mixed cells limited");
+            "0.25 % of the motion of mixed cells limited, 0.30 % of the points at a safeguard of their law");
   EXPECT_EQ(find(s, "deep", "initial.sigma_h0_kPa").note,
             "negative: q_c is larger at the lower bound; lower run out of line: momentum error 11 %");
   EXPECT_EQ(find(s, "deep", "sand.N").note, "baseline run out of line: 3 empty cells");
   EXPECT_EQ(s.realizations[2].out_of_line,
             "energy error -18 %, kinetic energy 15 %, "
-            "0.25 % of the motion of mixed cells limited");
+            "0.25 % of the motion of mixed cells limited, 0.30 % of the points at a safeguard of their law");
   EXPECT_EQ(s.realizations[7].out_of_line, "");
   const Table audit =
       query_sql(study.database, "SELECT out_of_line FROM audit WHERE realization IN (2, 3, 6)");

@@ -26,7 +26,7 @@ class Unused : public ScratchFolder {
       ledger.mark_running(id);
       solver::Outcome outcome =
           id == 4 ? failed(solver::Status::energy_drift, "error 0.2") : completed(1e6 * id);
-      outcome.audit.limited_share = limited_share;
+      outcome.audit.limited_share = outcome.audit.safeguarded_share = limited_share;
       ledger.record(id, outcome);
     }
   }
@@ -281,7 +281,7 @@ std::vector<std::tuple<int, std::string, double, std::string>> inputs_of(const S
 
 // Ledgers of all earlier schema versions; only the last of them had unused runs.
 TEST_F(Unused, OlderLedgersAreUpgradedByTheEdit) {
-  for (const int version : {1, 2, 3, 4, 5, 6}) {
+  for (const int version : {1, 2, 3, 4, 5, 6, 7}) {
     std::filesystem::remove(study.database);
     run_all(study, NAN);  // not recorded then
     const std::string before = everything();
@@ -289,8 +289,12 @@ TEST_F(Unused, OlderLedgersAreUpgradedByTheEdit) {
     std::string older;
     for (const View& view : views()) older += fmt::format("DROP VIEW {};", view.name);
     older +=
-        "ALTER TABLE realization DROP COLUMN limited_share; ALTER TABLE unused DROP COLUMN "
-        "limited_share;";
+        "ALTER TABLE realization DROP COLUMN safeguarded_share; ALTER TABLE unused DROP COLUMN "
+        "safeguarded_share;";
+    if (version < 7)
+      older +=
+          "ALTER TABLE realization DROP COLUMN limited_share; ALTER TABLE unused DROP COLUMN "
+          "limited_share;";
     if (version < 6)
       older +=
           "DROP TABLE realization_input; ALTER TABLE curve DROP COLUMN wall_stress_Pa;"

@@ -103,6 +103,30 @@ TEST(NorSandIdentities, StartsOnTheYieldSurfaceUnderK0) {
                    2.0 * p_i);
 }
 
+// Each of the four safeguards alone, and a usual state that none holds.
+TEST(NorSandIdentities, SafeguardsAreSeen) {
+  const NorSandParameters sand;
+  const NorSand law(sand);
+  EXPECT_FALSE(law.evaluate({-25e3, -50e3, -25e3, 0.0}, 0.76832, 23.339e3).limited);
+  // 1 - slope chi / M_tc = 0.25 at p_i = 19.2 MPa; far inside the yield surface, so that nothing flows.
+  EXPECT_FALSE(law.evaluate({-15e6, -15e6, -15e6, 0.0}, 0.5, 18.8e6).limited);
+  EXPECT_TRUE(law.evaluate({-15e6, -15e6, -15e6, 0.0}, 0.5, 19.6e6).limited);
+  // M_itc = M_tc - N chi |psi| reaches 0.1 M_tc at |psi| = 0.51 for N = 0.6 and chi = 3.5.
+  NorSandParameters dilatant = sand;
+  dilatant.N = 0.6;
+  dilatant.chi_tc = 3.5;
+  EXPECT_TRUE(NorSand(dilatant).evaluate({-25e3, -25e3, -25e3, 0.0}, 0.30, 30e3).limited);
+  EXPECT_FALSE(NorSand(dilatant).evaluate({-25e3, -25e3, -25e3, 0.0}, 0.60, 30e3).limited);
+  EXPECT_TRUE(law.evaluate({-25e3, -25e3, -25e3, 0.0}, sand.e_min_star + 0.005, 30e3).limited);
+  // Loose sand just beyond the peak softens faster than its elasticity gives way, if H is large.
+  NorSandParameters brittle = sand;
+  brittle.H = 2000.0;
+  const NorSand steep(brittle);
+  const double p = 3e6, q = 4.5e6, s_a = -(p + 2.0 * q / 3.0), s_r = -(p - q / 3.0);
+  const double e = 0.95, p_i = steep.initial_image_pressure(s_r, s_a, s_r, 0.0, e);
+  EXPECT_TRUE(steep.evaluate({s_r, s_a, s_r, 0.0}, e, p_i).limited);
+}
+
 // The formulas of the state by hand, off the triaxial axes.
 TEST(NorSandIdentities, StateMatchesTheFormulas) {
   const NorSandParameters sand;
