@@ -18,6 +18,9 @@ constexpr std::pair<std::string_view, std::string_view> names[] = {
     {"numerics.point_density", "material points a cell"},
     {"numerics.courant", "time step"},
     {"numerics.mass_scaling", "mass scaling"},
+    {"numerics.step_levels", "local time steps"},
+    {"numerics.pic_fraction", "share of PIC"},
+    {"numerics.start_distance_m", "start of the push"},
     {"penetrometer.speed_m_per_s", "speed"}};
 
 std::string sentence(const Effect& effect, const std::optional<results::RepeatNoise>& repeats) {

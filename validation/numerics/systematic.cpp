@@ -17,8 +17,7 @@ constexpr std::string_view head = R"(
 
 What finer cells, more material points and less inertia do to q̄<sub>c</sub> of a baseline, each as far as it was run, and
 together (root of the sum of squares); beside it the noise, within which one more run lies with a probability of 95 %. An index
-SI is a difference of two runs on the same mesh, of which the systematic error takes its share from both: it moves an index far
-less than a level.
+SI is a difference of two runs on one mesh; how far the systematic error moves it would take both on a finer one.
 
 )";
 
