@@ -40,12 +40,14 @@ TEST(Look, ChangesNoBitOfTheResult) {
   for (const Profile profile : {Profile::homogeneous_sand, Profile::homogeneous_clay}) {
     Observer blind;
     std::vector<double> depths;
-    for (int i = 0; i < 40; ++i) depths.push_back(0.0219 + 0.0001 * i);
+    for (int i = 0; i < 80; ++i) depths.push_back(0.0219 + 0.0001 * i);
     Watcher watcher(depths);
-    const Outcome unseen = simulate(short_push(profile), blind);
-    const Outcome seen = simulate(short_push(profile), watcher, {2});
+    solver::Setup setup = short_push(profile);
+    setup.penetrometer.final_depth = 0.03;
+    const Outcome unseen = simulate(setup, blind);
+    const Outcome seen = simulate(setup, watcher, {2});
     ASSERT_EQ(unseen.status, Status::completed) << unseen.reason;
-    EXPECT_GT(watcher.seen.size(), 20U);
+    EXPECT_GT(watcher.seen.size(), 30U);
     EXPECT_EQ(unseen.profile.depth, seen.profile.depth);
     EXPECT_EQ(unseen.profile.q_c, seen.profile.q_c);
     EXPECT_EQ(unseen.profile.f_s, seen.profile.f_s);
