@@ -11,6 +11,7 @@
 #include "reports/labels.hpp"
 #include "reports/units.hpp"
 #include "results/statistics/window_noise.hpp"
+#include "validation/paper/own_extreme.hpp"
 #include "validation/paper/ranking.hpp"
 
 namespace cpt::validation::paper {
@@ -53,6 +54,14 @@ std::string index_cell(const Snapshot& s, const SensitivityRow& row) {
 std::string index_beside(const StudyView& beside, const SensitivityRow& row) {
   const Value index = beside.index(row.window, row.parameter);
   return index ? decimals(index.number, 3) : "–";
+}
+
+// "0.231 (0.3088, 0.3113 m)": the index about each run's own extreme, and where they lie.
+std::string own_extreme_cell(const Snapshot& s, const results::WindowRow& window, const SensitivityRow& row) {
+  const auto own = own_extremes(s, window, row.parameter);
+  if (!own) return "–";
+  return fmt::format("{} ({}, {} m)", decimals(own->si, 3), decimals(own->at_lower, 4),
+                     decimals(own->at_upper, 4));
 }
 
 std::string yes_or_no(std::optional<bool> answer) { return answer ? (*answer ? "yes" : "no") : "–"; }
@@ -105,6 +114,8 @@ std::string window_table(const StudyView& view, const results::WindowRow& window
     columns.push_back("SI beside" + (beside->snapshot() != nullptr
                                          ? ", " + beside->snapshot()->campaign.preset
                                          : std::string()));
+  const bool moves = window.kind != "fixed" && window.problem.empty();
+  if (moves) columns.push_back(fmt::format("SI at each run's own {} (depths at the bounds)", window.kind));
   columns.push_back("above noise");
   if (repeats != nullptr) columns.push_back("above SI<sub>noise</sub> (the paper's)");
   if (ranking != nullptr) columns.push_back("the paper's group");
@@ -115,6 +126,7 @@ std::string window_table(const StudyView& view, const results::WindowRow& window
         html(symbol_of(s, p) + unit_of(p)), p.lower_text + " to " + p.upper_text,
         number(row.q_lower_kPa, 4) + " to " + number(row.q_upper_kPa, 4), index_cell(s, row)};
     if (beside != nullptr) cells.push_back(index_beside(*beside, row));
+    if (moves) cells.push_back(own_extreme_cell(s, window, row));
     cells.push_back(yes_or_no(row.above_noise));
     if (repeats != nullptr) cells.push_back(yes_or_no(row.above_si_noise));
     if (ranking != nullptr) cells.push_back(group_of(*ranking, row.parameter));

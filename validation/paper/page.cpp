@@ -111,6 +111,9 @@ std::string method() {
   Student's t and Welch's degrees of freedom. It speaks of noise along the curve alone: errors of the mesh, the time step or
   the model that are alike at all depths are not in it. A layered soil has no stretch with a trend of its own, so there is
   no interval.
+- SI at each run's own peak or trough: both runs are averaged over an interval as wide as the window's about their own
+  extreme, where it lies inside the depths in which the window seeks the baseline's. It leaves out what the fixed window
+  adds where an input moves the extreme.
 - Where a bound equals the baseline, the baseline's run stands for it. B1, M1 and M2 are averaged over 0.1 to 0.7 m, as the
   experiments are in section 3.2; the paper does not name its window there.
 - Paths (B1): for the material points that start nearest to 1, 2 and 3 cone radii from the axis, 0.5 m deep, the mean
