@@ -13,6 +13,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "campaign/clock.hpp"
 #include "campaign/descriptors.hpp"
@@ -68,7 +69,11 @@ class Reporter final : public solver::Observer {
   explicit Reporter(const Order& order)
       : order_(order), realization_(order.realization), last_kept_(monotonic_seconds()) {}
 
+  /// What to say once the push goes on from a kept state, if that state is of use to it.
+  void say_when_running(std::string remark) { remark_ = std::move(remark); }
+
   void progress(const solver::Progress& progress) override {
+    if (!remark_.empty()) send_remark(realization_, std::exchange(remark_, {}));
     const double now = monotonic_seconds();
     if (now < next_) return;
     next_ = now + 0.25;
@@ -102,6 +107,7 @@ class Reporter final : public solver::Observer {
  private:
   const Order& order_;
   int realization_;
+  std::string remark_;
   double next_ = 0.0;  // [s] when progress is due
   double last_kept_;   // [s]
   bool unwritable_ = false;
@@ -126,13 +132,14 @@ solver::Outcome run(const Order& order, const Simulate& simulate) {
     execution.resume = &*state;
     try {
       if (const auto depth = state->find("push.depth"); depth != state->end() && !depth->second.empty())
-        send_remark(order.realization, fmt::format("goes on from its checkpoint at {:.1f} mm depth",
-                                                   depth->second.front() * 1e3));
+        reporter.say_when_running(
+            fmt::format("goes on from its checkpoint at {:.1f} mm depth", depth->second.front() * 1e3));
       return simulate(order.setup, reporter, execution);
     } catch (const solver::StateMismatch& problem) {
       send_remark(order.realization, fmt::format("starts afresh; its checkpoint is of no use: {}: {}",
                                                  order.checkpoint, problem.what()));
       execution.resume = nullptr;
+      reporter.say_when_running({});
     }
   }
   return simulate(order.setup, reporter, execution);

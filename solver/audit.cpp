@@ -39,7 +39,7 @@ Totals totals(const Model& model) {
 
 }  // namespace
 
-Auditor::Auditor(const Model& model) {
+Auditor::Auditor(const Model& model, double start) : start_(start) {
   const Totals t = totals(model);
   initial_mass_ = t.mass;
   initial_momentum_ = t.momentum;
@@ -73,7 +73,7 @@ std::string Auditor::check(const Model& model, double travel, Status& status) {
   const auto cells = static_cast<double>(model.mesh().cells().size());
   if (empty > 0.02 * cells) return fmt::format("{} of {} cells lost all their material points", empty, cells);
   // Skip the start, where the cone's first impact is most of the energy there is.
-  if (travel > 0.02 && penetrometer_work_ > 0.0) {
+  if (travel > start_ && penetrometer_work_ > 0.0) {
     const double fraction = t.kinetic / penetrometer_work_;
     audit_.kinetic_fraction = std::max(audit_.kinetic_fraction, fraction);
     status = Status::energy_drift;

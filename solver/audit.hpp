@@ -17,7 +17,8 @@ namespace cpt::solver {
 /// sliding.
 class Auditor {
  public:
-  explicit Auditor(const Model& model);
+  /// The cone's first impact, up to `start` [m] of travel, is left out of the kinetic energy.
+  Auditor(const Model& model, double start);
 
   /// After each step. `bottom_impulse` [N s/rad] from ChamberBoundary::fix_boundaries.
   void add_step(const PenetrometerLoad& load, double bottom_impulse, double speed, double dt);
@@ -44,6 +45,7 @@ class Auditor {
 
  private:
   Audit audit_;
+  double start_;                                       // [m]
   double initial_mass_, initial_momentum_;             // over the full circumference
   double initial_weight_energy_;                       // [J] potential energy of the effective weight
   double weight_;                                      // [N] effective

@@ -120,7 +120,8 @@ Outcome push(const Setup& setup, Before before, double nominal_area, Observer& o
   ChamberBoundary chamber(setup, model.mesh(), before.left);
   PenetrometerContact penetrometer(setup);
   Recorder recorder(setup.numerics.bin_height, setup.penetrometer.final_depth, nominal_area);
-  Auditor auditor(model);
+  // 20 mm of a cone of 25.3 mm, as much further as a cone is larger
+  Auditor auditor(model, 0.02 * (setup.penetrometer.diameter / Numerics{}.for_diameter));
 
   Outcome outcome;
   outcome.status = Status::completed;

@@ -4,6 +4,8 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "tests/cli/program.hpp"
 
@@ -121,6 +123,32 @@ TEST(RealSolver, StoppedCampaignGoesOnFromItsCheckpoints) {
   EXPECT_NE(told.find("goes on from its checkpoint at"), std::string::npos) << told;
   EXPECT_EQ(database_of(folder), expected);
   EXPECT_FALSE(std::filesystem::exists(folder.file("push.checkpoints")));
+}
+
+// A checkpoint whose arrays have other names than this program's is told of once, and as what it is.
+TEST(RealSolver, CheckpointOfNoUseStartsThePushAfresh) {
+  const StudyFolder undisturbed, folder;
+  const std::string expected = run_undisturbed(undisturbed);
+  folder.write("push.toml", hurried(few_millimetres));
+  Background job(
+      campaign({folder.file("push.toml"), "--slots", "1", "--threads", "1", "--executor", GATED_PUSH}),
+      gated(folder));
+  ASSERT_TRUE(arrived(folder, 1));
+  ASSERT_EQ(::kill(job.pid(), SIGTERM), 0);
+  EXPECT_EQ(job.wait().exit_code, 128 + SIGTERM);
+  int renamed = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.file("push.checkpoints"))) {
+    std::string bytes = folder.read("push.checkpoints/" + entry.path().filename().string());
+    for (auto at = bytes.find("bins.q_c"); at != std::string::npos; at = bytes.find("bins.q_c", at + 1))
+      bytes[at + 7] = 'd', ++renamed;
+    std::ofstream(entry.path(), std::ios::binary) << bytes;
+  }
+  ASSERT_GT(renamed, 0);
+  const Result resumed = run(campaign({folder.file("push.toml"), "--slots", "1", "--threads", "1"}));
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_NE(resumed.err.find("its checkpoint is of no use"), std::string::npos) << resumed.err;
+  EXPECT_EQ(resumed.err.find("goes on from its checkpoint"), std::string::npos) << resumed.err;
+  EXPECT_EQ(database_of(folder), expected);
 }
 
 }  // namespace
