@@ -109,18 +109,18 @@ std::vector<MeshTriple> mesh_triples(const NumericsStudy& study, std::string_vie
   return triples;
 }
 
-std::vector<Effect> effects(const NumericsStudy& study, std::string_view window) {
-  const auto reference = reference_in(study, window);
-  const auto repeats = repeats_in(study, window);
+std::vector<Effect> effects(const NumericsStudy& study, std::string_view window, std::size_t channel) {
+  const auto reference = reference_in(study, window, channel);
+  const auto repeats = repeats_in(study, window, channel);
   std::vector<Effect> found;
-  if (!reference) return found;
+  if (!reference || !(*reference > 0.0)) return found;
   for (const Setting& setting : study.settings) {
     const auto run = most_accurate(study.campaign, setting);
     if (!run || run->value == setting.baseline) continue;
-    const auto q_c = mean_in(study.campaign, run->realization, window);
-    if (!q_c) continue;
-    const double change = parameters::differ(*q_c, *reference) ? *q_c / *reference - 1.0 : 0.0;
-    found.push_back({&setting, run->value, change, told_from_repeats(*q_c, *reference, repeats)});
+    const auto mean = mean_in(study.campaign, run->realization, window, channel);
+    if (!mean) continue;
+    const double change = parameters::differ(*mean, *reference) ? *mean / *reference - 1.0 : 0.0;
+    found.push_back({&setting, run->value, change, told_from_repeats(*mean, *reference, repeats)});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Effect& a, const Effect& b) { return std::abs(a.change) > std::abs(b.change); });

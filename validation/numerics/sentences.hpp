@@ -20,16 +20,18 @@ struct MeshTriple {
 /// Every three neighbouring meshes that are completed, finest first.
 [[nodiscard]] std::vector<MeshTriple> mesh_triples(const NumericsStudy& study, std::string_view window);
 
-/// What the change of one setting from the baseline to the most accurate value that is completed does to q_c.
+/// What the change of one setting from the baseline to the most accurate value that is completed does to a
+/// channel's average.
 struct Effect {
   const Setting* setting;
   double value;   ///< the most accurate one
-  double change;  ///< [-] of q_c against the reference; 0 within rounding
+  double change;  ///< [-] against the reference; 0 within rounding
   bool told;      ///< larger than the repeats explain; false without repeats
 };
 
 /// Largest change first; settings with nothing more accurate than the baseline are left out.
-[[nodiscard]] std::vector<Effect> effects(const NumericsStudy& study, std::string_view window);
+[[nodiscard]] std::vector<Effect> effects(const NumericsStudy& study, std::string_view window,
+                                          std::size_t channel = tip_resistance);
 
 /// Markdown list: which setting moves q_c in a window by how much, what is noise, what the meshes converge
 /// to.

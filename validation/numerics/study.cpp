@@ -89,9 +89,12 @@ const results::RealizationRow* run_row(const results::Snapshot& campaign, int re
   return nullptr;
 }
 
-std::optional<double> mean_in(const results::Snapshot& campaign, int realization, std::string_view window) {
-  const results::WindowMeanRow* mean = mean_row(campaign, realization, window);
-  return mean == nullptr ? std::nullopt : std::optional(mean->q_c_mean_kPa);
+std::optional<double> mean_in(const results::Snapshot& campaign, int realization, std::string_view window,
+                              std::size_t channel) {
+  const results::WindowMeanRow* row = mean_row(campaign, realization, window);
+  if (row == nullptr) return std::nullopt;
+  const double mean = channel == tip_resistance ? row->q_c_mean_kPa : row->other_means_kPa[channel - 1];
+  return std::isnan(mean) ? std::nullopt : std::optional(mean);
 }
 
 std::optional<double> noise_in(const results::Snapshot& campaign, int realization, std::string_view window) {
@@ -100,16 +103,18 @@ std::optional<double> noise_in(const results::Snapshot& campaign, int realizatio
                          : std::optional(results::noise_index(mean->q_c_min_kPa, mean->q_c_max_kPa));
 }
 
-std::optional<results::RepeatNoise> repeats_in(const NumericsStudy& study, std::string_view window) {
+std::optional<results::RepeatNoise> repeats_in(const NumericsStudy& study, std::string_view window,
+                                               std::size_t channel) {
   std::vector<double> means;
   for (const int realization : study.repeats)
-    if (const auto mean = mean_in(study.campaign, realization, window)) means.push_back(*mean);
+    if (const auto mean = mean_in(study.campaign, realization, window, channel)) means.push_back(*mean);
   return results::repeat_noise(means);
 }
 
-std::optional<double> reference_in(const NumericsStudy& study, std::string_view window) {
-  const auto repeats = repeats_in(study, window);
-  return repeats ? std::optional(repeats->mean) : mean_in(study.campaign, study.repeats.front(), window);
+std::optional<double> reference_in(const NumericsStudy& study, std::string_view window, std::size_t channel) {
+  const auto repeats = repeats_in(study, window, channel);
+  return repeats ? std::optional(repeats->mean)
+                 : mean_in(study.campaign, study.repeats.front(), window, channel);
 }
 
 bool told_from_repeats(double q_c, double reference, const std::optional<results::RepeatNoise>& repeats) {

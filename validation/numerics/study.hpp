@@ -43,17 +43,22 @@ inline constexpr std::string_view refinement = "numerics.refinement";
 
 /// nullptr if there is none.
 [[nodiscard]] const results::RealizationRow* run_row(const results::Snapshot& campaign, int realization);
-/// Average q_c [kPa] of a completed realization in a window.
+/// Of solver::channels(): what is averaged in a window, q_c unless said otherwise.
+inline constexpr std::size_t tip_resistance = 0;
+
+/// Average of a channel [kPa] of a completed realization in a window; nullopt where it was not recorded.
 [[nodiscard]] std::optional<double> mean_in(const results::Snapshot& campaign, int realization,
-                                            std::string_view window);
+                                            std::string_view window, std::size_t channel = tip_resistance);
 /// SI_noise of a completed realization in a window.
 [[nodiscard]] std::optional<double> noise_in(const results::Snapshot& campaign, int realization,
                                              std::string_view window);
-/// Of the average q_c [kPa]; nullopt with fewer than three completed repeats.
+/// Of the average [kPa]; nullopt with fewer than three completed repeats.
 [[nodiscard]] std::optional<results::RepeatNoise> repeats_in(const NumericsStudy& study,
-                                                             std::string_view window);
+                                                             std::string_view window,
+                                                             std::size_t channel = tip_resistance);
 /// What changes are told against [kPa]: the mean of the repeats, without them the baseline.
-[[nodiscard]] std::optional<double> reference_in(const NumericsStudy& study, std::string_view window);
+[[nodiscard]] std::optional<double> reference_in(const NumericsStudy& study, std::string_view window,
+                                                 std::size_t channel = tip_resistance);
 
 /// Whether an average lies further from the reference than repeats scatter, and than numbers are rounded.
 [[nodiscard]] bool told_from_repeats(double q_c, double reference,

@@ -66,6 +66,9 @@ double q_c(const solver::Setup& setup) {
   return value * 1.0e3;
 }
 
+// 10 kPa, a quarter more with light inertia.
+double f_s(const solver::Setup& setup) { return setup.numerics.mass_scaling < 1.0e4 ? 12.5e3 : 10.0e3; }
+
 class Numerics : public ::testing::Test {
  protected:
   Numerics() {
@@ -91,7 +94,7 @@ class Numerics : public ::testing::Test {
       for (double depth = 0.01; depth < 0.55; depth += 0.01) {
         outcome.profile.depth.push_back(depth);
         outcome.profile.q_c.push_back(q_c(parameters::make_setup(study, realization)));
-        outcome.profile.f_s.push_back(0.0);
+        outcome.profile.f_s.push_back(f_s(parameters::make_setup(study, realization)));
       }
       ledger.record(realization.id, outcome);
     }
@@ -166,6 +169,12 @@ TEST_F(Numerics, TheSystematicErrorStandsBesideTheNoise) {
   EXPECT_NE(text.find(error->together > *error->chance ? "more than the noise" : "within the noise"),
             std::string::npos)
       << text;
+  // Each channel by itself.
+  const auto of_friction = systematic_error(study, "deep", 1);
+  ASSERT_TRUE(of_friction);
+  EXPECT_NEAR(*of_friction->cell_size, 0.0, 1e-9);
+  EXPECT_NEAR(of_friction->together, 0.25, 1e-9);
+  EXPECT_TRUE(has(text, "| deep | f<sub>s</sub> | 0.0 % | – | 25.0 % | 25.0 % | ± 0.0 % |")) << text;
   // Without its repeats nothing is said of chance.
   NumericsStudy alone = run();
   alone.repeats.resize(1);
