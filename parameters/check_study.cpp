@@ -11,7 +11,9 @@
 namespace cpt::parameters {
 namespace {
 
-bool involves_doubtful(const solver::Problem& problem, const QuantitySections& sections) {
+bool involves_doubtful(const solver::Problem& problem, const QuantitySections& sections,
+                       const SoilDoubts& doubts) {
+  if (problem.quantity == "layers" && doubts.depths) return true;
   return std::any_of(sections.doubtful.begin(), sections.doubtful.end(), [&](const std::string& name) {
     return problem.quantity == name || problem.message.find(name) != std::string::npos;
   });
@@ -31,8 +33,8 @@ const Setting* culprit(const solver::Problem& problem, const QuantitySections& s
 
 void report_baseline(const solver::Problem& problem, const QuantitySections& sections,
                      const StudyPlaces& places, ErrorList& errors) {
-  if (problem.quantity == "layers" && places.layers.line > 0)
-    return errors.add(places.layers, "layers", problem.message);
+  if (problem.quantity == "layers" && !places.layers.empty())
+    return errors.add(places.layers[problem.layer.value_or(0)], "layers", problem.message);
   if (problem.quantity == "soils" && places.soils.line > 0)
     return errors.add(places.soils, "soils", problem.message);
   if (problem.quantity == "numerics.zones" && places.zones.line > 0)
@@ -43,10 +45,10 @@ void report_baseline(const solver::Problem& problem, const QuantitySections& sec
 }
 
 void check_physics(const Study& study, const QuantitySections& sections, const StudyPlaces& places,
-                   ErrorList& errors) {
+                   const SoilDoubts& doubts, ErrorList& errors) {
   const std::vector<solver::Problem> of_baseline = solver::problems(study.baseline);
   for (const solver::Problem& problem : of_baseline)
-    if (!involves_doubtful(problem, sections)) report_baseline(problem, sections, places, errors);
+    if (!involves_doubtful(problem, sections, doubts)) report_baseline(problem, sections, places, errors);
 
   const auto in_baseline = [&](const solver::Problem& problem) {
     return std::any_of(of_baseline.begin(), of_baseline.end(),
@@ -62,7 +64,8 @@ void check_physics(const Study& study, const QuantitySections& sections, const S
       const auto point = static_cast<std::size_t>(realization.point);
       const bool of_design = point - study.design.first_point < study.design.points;
       for (const solver::Problem& problem : solver::problems(make_setup(study, realization))) {
-        if (in_baseline(problem) || involves_doubtful(problem, sections) || (of_design && design_told))
+        if (in_baseline(problem) || involves_doubtful(problem, sections, doubts) ||
+            (of_design && design_told))
           continue;
         errors.add(places.points[point],
                    fmt::format("{}.{}", of_design ? "design" : "points", parameter_name(study, realization)),
@@ -76,7 +79,7 @@ void check_physics(const Study& study, const QuantitySections& sections, const S
     }
     const PlacedRow& placed = sections.rows[static_cast<std::size_t>(realization.row)];
     for (const solver::Problem& problem : solver::problems(make_setup(study, realization))) {
-      if (in_baseline(problem) || involves_doubtful(problem, sections)) continue;
+      if (in_baseline(problem) || involves_doubtful(problem, sections, doubts)) continue;
       errors.add(realization.side == Side::lower ? placed.lower : placed.upper,
                  fmt::format("parameters.{}.{}", placed.row.quantity->name, to_string(realization.side)),
                  problem.message);
@@ -145,8 +148,8 @@ void check_windows(const Study& study, const QuantitySections& sections, const S
 }  // namespace
 
 void check_study(const Study& study, const QuantitySections& sections, const StudyPlaces& places,
-                 ErrorList& errors) {
-  check_physics(study, sections, places, errors);
+                 const SoilDoubts& doubts, ErrorList& errors) {
+  check_physics(study, sections, places, doubts, errors);
   check_windows(study, sections, places, errors);
 }
 

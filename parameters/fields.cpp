@@ -28,8 +28,19 @@ std::string wrong_type(Value::Kind expected, const Value& value) {
 const Member* field(const Value& table, std::string_view prefix, std::string_view key, bool required,
                     ErrorList& errors) {
   const Member* member = table.find(key);
-  if (member == nullptr && required) errors.add(table.place, joined(prefix, key), "is missing");
+  if (member == nullptr && required && !errors.is_meant(table, key))
+    errors.add(table.place, joined(prefix, key), "is missing");
   return member;
+}
+
+// Text that is not empty.
+std::optional<std::string> text_of(const Value& value, const std::string& key, const std::string& hint,
+                                   ErrorList& errors) {
+  if (value.kind == Value::Kind::text && !value.text.empty()) return value.text;
+  errors.add(value.place, key,
+             value.kind == Value::Kind::text ? "must not be empty" : wrong_type(Value::Kind::text, value),
+             hint);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -61,6 +72,7 @@ bool refuse_unknown_keys(const Value& table, std::string_view prefix, std::span<
     if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
     all_known = false;
     const std::string_view near = nearest_name(member.key, known);
+    if (!near.empty()) errors.note_meant(table, near);
     errors.add(member.place, joined(prefix, member.key),
                fmt::format("unknown key; known are {}", listed(known)),
                near.empty() ? std::string(hint) : fmt::format("did you mean {}?", near));
@@ -90,30 +102,23 @@ std::optional<double> number_field(const Value& table, std::string_view prefix, 
 std::optional<std::string> text_field(const Value& table, std::string_view prefix, std::string_view key,
                                       bool required, ErrorList& errors) {
   const Member* member = field(table, prefix, key, required, errors);
-  if (member == nullptr) return std::nullopt;
-  const Value& value = member->value;
-  if (value.kind != Value::Kind::text) {
-    errors.add(value.place, joined(prefix, key), wrong_type(Value::Kind::text, value));
-    return std::nullopt;
-  }
-  if (value.text.empty()) {
-    errors.add(value.place, joined(prefix, key), "must not be empty");
-    return std::nullopt;
-  }
-  return value.text;
+  return member == nullptr ? std::nullopt : text_of(member->value, joined(prefix, key), "", errors);
 }
 
 std::optional<std::string> name_field(const Value& table, std::string_view prefix, std::string_view key,
                                       bool required, std::span<const std::string_view> names,
                                       ErrorList& errors) {
-  if (required && table.find(key) == nullptr) {
-    errors.add(table.place, joined(prefix, key), "is missing", fmt::format("one of {}", listed(names)));
+  const Member* member = table.find(key);
+  const std::string hint = fmt::format("one of {}", listed(names));
+  if (member == nullptr) {
+    if (required && !errors.is_meant(table, key))
+      errors.add(table.place, joined(prefix, key), "is missing", hint);
     return std::nullopt;
   }
-  std::optional<std::string> text = text_field(table, prefix, key, required, errors);
+  std::optional<std::string> text = text_of(member->value, joined(prefix, key), hint, errors);
   if (!text || std::find(names.begin(), names.end(), *text) != names.end()) return text;
   const std::string_view near = nearest_name(*text, names);
-  errors.add(table.find(key)->value.place, joined(prefix, key),
+  errors.add(member->value.place, joined(prefix, key),
              fmt::format("\"{}\" is not one of {}", *text, listed(names)),
              near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
   return std::nullopt;

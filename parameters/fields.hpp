@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "parameters/document.hpp"
@@ -22,12 +24,18 @@ class ErrorList {
   void add(Place place, std::string key, std::string message, std::string hint = "");
   [[nodiscard]] bool empty() const { return errors_.empty(); }
   [[nodiscard]] std::size_t size() const { return errors_.size(); }
+  /// That an unknown key of the table is told to mean this one, which therefore is not told to be missing.
+  void note_meant(const Value& table, std::string_view key) { meant_.emplace(table.place, key); }
+  [[nodiscard]] bool is_meant(const Value& table, std::string_view key) const {
+    return meant_.contains({table.place, std::string(key)});
+  }
   /// The errors in the order of the file.
   [[nodiscard]] std::vector<StudyError> sorted() const;
 
  private:
   std::string file_;
   std::vector<StudyError> errors_;
+  std::set<std::pair<Place, std::string>> meant_;
 };
 
 /// "a.b", or "b" if there is no a.

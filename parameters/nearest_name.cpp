@@ -124,10 +124,15 @@ std::string_view quantity_called(std::string_view name, const Setup& setup) {
   for (const Quantity* quantity : quantities_of(setup))
     if (squeezed(last_part(without_unit(quantity->name))) == word && take(quantity->name))
       return quantity->name;
-  for (const Synonym& synonym : quantity_synonyms())
-    if (synonym.word == word)
-      if (const Quantity* quantity = solver::find_quantity(synonym.quantity, setup))
+  // The words of sand and clay are those of any soil with the same parameter.
+  for (const Synonym& synonym : quantity_synonyms()) {
+    if (synonym.word != word) continue;
+    const bool of_soil = !solver::find_quantity(synonym.quantity)->soil.empty();
+    for (const Quantity* quantity : quantities_of(setup))
+      if (quantity->name == synonym.quantity ||
+          (of_soil && !quantity->soil.empty() && last_part(quantity->name) == last_part(synonym.quantity)))
         if (take(quantity->name)) return quantity->name;
+  }
   return elsewhere;
 }
 

@@ -10,6 +10,7 @@
 
 #include "parameters/designs/design.hpp"
 #include "parameters/nearest_name.hpp"
+#include "parameters/read_quantities.hpp"
 #include "parameters/study_keys.hpp"
 
 namespace cpt::parameters {
@@ -39,9 +40,14 @@ const DesignKey* find_key(const DesignKind& kind, std::string_view name) {
 
 class DesignReader {
  public:
-  DesignReader(const Value& table, const std::vector<Row>& rows, const solver::Setup& setup,
-               ErrorList& errors)
-      : table_(table), rows_(rows), setup_(setup), rows_sound_(errors.empty()), errors_(errors) {}
+  DesignReader(const Value& root, const Value& table, const std::vector<Row>& rows,
+               const solver::Setup& setup, ErrorList& errors)
+      : root_(root),
+        table_(table),
+        rows_(rows),
+        setup_(setup),
+        rows_sound_(errors.empty()),
+        errors_(errors) {}
 
   Design read() {
     bool sound = refuse_unknown_keys(table_, "design", known_names(study_keys(), "design"), errors_);
@@ -105,7 +111,9 @@ class DesignReader {
     const auto index = static_cast<std::size_t>(row - rows_.begin());
     if (row == rows_.end()) {
       // A row with an error of its own is not among the rows.
-      if (rows_sound_ || solver::find_quantity(name.text, setup_) == nullptr) {
+      const bool told = is_row_given(root_, name.text) ||
+                        (!rows_sound_ && solver::find_quantity(name.text, setup_) != nullptr);
+      if (!told) {
         std::vector<std::string_view> names;
         for (const Row& r : rows_) names.push_back(r.quantity->name);
         const std::string_view near = nearest_name(name.text, names);
@@ -167,6 +175,7 @@ class DesignReader {
     return false;
   }
 
+  const Value& root_;
   const Value& table_;
   const std::vector<Row>& rows_;
   const solver::Setup& setup_;
@@ -181,7 +190,7 @@ class DesignReader {
 Design read_design(const Value& root, const std::vector<Row>& rows, const solver::Setup& setup,
                    ErrorList& errors) {
   const Value* table = section(root, "design", errors);
-  return table == nullptr ? Design() : DesignReader(*table, rows, setup, errors).read();
+  return table == nullptr ? Design() : DesignReader(root, *table, rows, setup, errors).read();
 }
 
 }  // namespace cpt::parameters

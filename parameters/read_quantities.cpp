@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "parameters/nearest_name.hpp"
-#include "parameters/read_soils.hpp"
 #include "parameters/study_keys.hpp"
+#include "parameters/unknown_quantity.hpp"
 #include "solver/soils/law.hpp"
 
 namespace cpt::parameters {
@@ -94,30 +94,11 @@ bool is_group(std::string_view name, const solver::Setup& setup) {
   });
 }
 
-// "kappa is a parameter of modified_cam_clay; the soils are loose (norsand), soft (tresca)"; nothing where no
-// law has it.
-std::string laws_hint(std::string_view name, const solver::Setup& setup) {
-  const std::string_view parameter = name.substr(name.find('.') + 1);
-  std::vector<std::string_view> laws;
-  for (const solver::Law* law : solver::all_laws())
-    if (std::ranges::find(law->quantities(), parameter, &solver::LawQuantity::name) !=
-        law->quantities().end())
-      laws.push_back(law->name());
-  if (laws.empty()) return "";
-  std::string soils;
-  for (const solver::Soil& soil : setup.soils)
-    soils += fmt::format("{}{} ({})", soils.empty() ? "" : ", ", soil.name, solver::law_of(soil).name());
-  return fmt::format("{} is a parameter of {}; the soils are {}", parameter, listed(laws), soils);
-}
-
-std::string hint_for_unknown(std::string_view name, const solver::Setup& setup) {
+std::string hint_for_unknown(std::string_view name, const solver::Setup& setup, bool layers_known) {
   if (name == "layers" || name == "numerics.zones" || name == "zones")
     return fmt::format("give a [[{}]] table for each", name == "layers" ? "layers" : "zones");
-  const std::string_view near = nearest_quantity(name, setup);
-  const bool same_parameter = near.substr(near.find('.') + 1) == name.substr(name.find('.') + 1);
-  if (const std::string laws = laws_hint(name, setup); !laws.empty() && !same_parameter) return laws;
-  return near.empty() ? "`campaign list quantities` prints all of them"
-                      : fmt::format("did you mean {}?", near);
+  const std::string meant = meant_quantity(name, setup, layers_known);
+  return meant.empty() ? "`campaign list quantities` prints all of them" : meant;
 }
 
 class QuantitiesReader {
@@ -156,6 +137,7 @@ class QuantitiesReader {
     for (const Member& member : table.members) {
       const std::string name = joined(prefix, member.key);
       if (std::find(except.begin(), except.end(), name) != except.end()) continue;
+      if (doubts_.about(name.substr(0, name.find('.')), setup_)) continue;
       const Quantity* quantity = solver::find_quantity(name, setup_);
       if (quantity != nullptr)
         found.push_back({quantity, &member, joined(section_name, name)});
@@ -167,12 +149,12 @@ class QuantitiesReader {
   }
 
   void refuse_unknown(std::string_view section_name, const std::string& name, Place place) {
-    if (doubts_.soils && !is_group_beside_soils(name.substr(0, name.find('.')))) return;
     if (is_group(name, setup_))
       errors_.add(place, joined(section_name, name), "is a group of quantities",
                   fmt::format("name one of them: {}.NAME", name));
     else
-      errors_.add(place, joined(section_name, name), "unknown quantity", hint_for_unknown(name, setup_));
+      errors_.add(place, joined(section_name, name), "unknown quantity",
+                  hint_for_unknown(name, setup_, !doubts_.layers));
   }
 
   // Named once, and of a soil that the profile contains.
@@ -184,13 +166,23 @@ class QuantitiesReader {
                   fmt::format("is already given as {} in line {}", key, place.line), "keep one of the two");
       return false;
     }
-    if (doubts_.layers || solver::matters(*named.quantity, setup_)) return true;
+    if (doubts_.layers || solver::matters(*named.quantity, setup_) || of_unused_soil(*named.quantity))
+      return true;
     const std::string& soil = named.quantity->soil;
     errors_.add(named.member->place, named.key,
                 soil.empty() ? fmt::format("has no effect: it acts on {}, and no layer is of that",
                                            solver::acts_on_text(*named.quantity))
                              : fmt::format("has no effect: the profile has no {}", soil));
     return false;
+  }
+
+  // Whether it would matter if a soil were used that is told to be in no layer.
+  [[nodiscard]] bool of_unused_soil(const Quantity& quantity) const {
+    return std::ranges::any_of(setup_.soils, [&](const solver::Soil& soil) {
+      return doubts_.unused.contains(soil.name) &&
+             (quantity.soil == soil.name ||
+              (quantity.acts_on != nullptr && quantity.acts_on(solver::law_of(soil))));
+    });
   }
 
   void doubt(const Named& named) { sections_.doubtful.emplace(named.quantity->name); }
@@ -290,6 +282,17 @@ class QuantitiesReader {
 QuantitySections read_quantities(const Value& root, const solver::Setup& setup, const SoilDoubts& doubts,
                                  ErrorList& errors) {
   return QuantitiesReader(setup, doubts, errors).read(root);
+}
+
+bool is_row_given(const Value& root, std::string_view name) {
+  const Member* rows = root.find("parameters");
+  const auto is_given = [](const auto& self, const Value& table, std::string_view rest) -> bool {
+    return std::ranges::any_of(table.members, [&](const Member& member) {
+      return member.key == rest || (rest.starts_with(member.key + '.') &&
+                                    self(self, member.value, rest.substr(member.key.size() + 1)));
+    });
+  };
+  return rows != nullptr && is_given(is_given, rows->value, name);
 }
 
 std::vector<Setting> read_settings(const Value& table, std::string_view section,

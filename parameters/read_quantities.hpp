@@ -9,6 +9,7 @@
 
 #include "parameters/document.hpp"
 #include "parameters/fields.hpp"
+#include "parameters/read_soils.hpp"
 #include "parameters/study.hpp"
 
 namespace cpt::parameters {
@@ -34,16 +35,13 @@ struct QuantitySections {
       doubtful;  ///< names of quantities with an error: their values are not to be judged further
 };
 
-/// What is not known after errors elsewhere, so that no quantity is judged by it.
-struct SoilDoubts {
-  bool soils = false;   ///< which there are, and of which laws
-  bool layers = false;  ///< of which soils they are
-};
-
 /// Reads both sections. `setup` is the preset's, with the study's layers, for omitted baselines and for the
 /// soils that the profile contains; quantities of other soils are errors.
 [[nodiscard]] QuantitySections read_quantities(const Value& root, const solver::Setup& setup,
                                                const SoilDoubts& doubts, ErrorList& errors);
+
+/// Whether [parameters] has an entry of that name, sound or not.
+[[nodiscard]] bool is_row_given(const Value& root, std::string_view name);
 
 /// The quantities of one table but for the members `except`, such as a point of the design; errors name the
 /// section.

@@ -30,6 +30,21 @@ bool acceptable(const Member& soil, ErrorList& errors) {
   return false;
 }
 
+// Nothing after an error.
+std::optional<std::string> law_of(const Member& soil, std::span<const std::string_view> laws,
+                                  ErrorList& errors) {
+  const std::string key = joined("soils", soil.key);
+  if (soil.value.kind != Value::Kind::table) {
+    errors.add(soil.place, key, fmt::format("must be a table, not {}", to_string(soil.value.kind)),
+               fmt::format("such as [soils.{}] with law = \"{}\"", soil.key, laws.front()));
+    return std::nullopt;
+  }
+  refuse_unknown_keys(
+      soil.value, key, known_names(study_keys(), "soils"), errors,
+      fmt::format("parameters go under [fixed] or [parameters]: \"{}.NAME\" = ...", soil.key));
+  return name_field(soil.value, key, "law", true, laws, errors);
+}
+
 }  // namespace
 
 bool is_group_beside_soils(std::string_view name) {
@@ -38,33 +53,43 @@ bool is_group_beside_soils(std::string_view name) {
   });
 }
 
-bool read_soils(const Value& root, solver::Setup& setup, ErrorList& errors) {
+bool SoilDoubts::about(std::string_view name, const solver::Setup& setup) const {
+  if (named.contains(std::string(name))) return true;
+  return any && !is_group_beside_soils(name) &&
+         std::ranges::find(setup.soils, name, &solver::Soil::name) == setup.soils.end();
+}
+
+void read_soils(const Value& root, solver::Setup& setup, SoilDoubts& doubts, ErrorList& errors) {
+  const auto nothing_known = [&] {
+    doubts.any = true;
+    for (const solver::Soil& soil : setup.soils) doubts.named.insert(soil.name);
+  };
   const Value* table = section(root, "soils", errors);
-  if (table == nullptr) return root.find("soils") == nullptr;
-  const std::size_t before = errors.size();
+  const bool elsewhere = errors.is_meant(root, "soils");
+  if (table == nullptr) {
+    if (elsewhere || root.find("soils") != nullptr) nothing_known();
+    return;
+  }
+  if (table->members.empty()) {
+    errors.add(table->place, "soils", "names no soil",
+               "add [soils.NAME] with its law, or leave the section out");
+    return nothing_known();
+  }
+  doubts.any = elsewhere;
   std::vector<std::string_view> laws;
   for (const solver::Law* law : solver::all_laws()) laws.push_back(law->name());
   std::vector<solver::Soil> soils;
   for (const Member& member : table->members) {
-    const std::string key = joined("soils", member.key);
-    if (!acceptable(member, errors)) continue;
-    if (member.value.kind != Value::Kind::table) {
-      errors.add(member.place, key, fmt::format("must be a table, not {}", to_string(member.value.kind)),
-                 fmt::format("such as [soils.{}] with law = \"{}\"", member.key, laws.front()));
+    if (!acceptable(member, errors)) {
+      doubts.any = true;
       continue;
     }
-    refuse_unknown_keys(
-        member.value, key, known_names(study_keys(), "soils"), errors,
-        fmt::format("parameters go under [fixed] or [parameters]: \"{}.NAME\" = ...", member.key));
-    if (const auto name = name_field(member.value, key, "law", true, laws, errors))
-      soils.push_back({member.key, solver::find_law(*name)->defaults()});
+    const std::optional<std::string> law = law_of(member, laws, errors);
+    if (!law) doubts.named.insert(member.key);
+    soils.push_back({member.key, solver::find_law(law ? *law : laws.front())->defaults()});
   }
-  if (table->members.empty())
-    errors.add(table->place, "soils", "names no soil",
-               "add [soils.NAME] with its law, or leave the section out");
-  if (errors.size() != before) return false;
+  if (soils.empty()) return nothing_known();
   setup.soils = std::move(soils);
-  return true;
 }
 
 }  // namespace cpt::parameters

@@ -16,6 +16,7 @@
 #include "parameters/fields.hpp"
 #include "parameters/nearest_name.hpp"
 #include "parameters/read_design.hpp"
+#include "parameters/read_layers.hpp"
 #include "parameters/read_quantities.hpp"
 #include "parameters/read_soils.hpp"
 #include "parameters/study_keys.hpp"
@@ -37,26 +38,27 @@ class StudyReader {
     const bool profile_known = read_profile();
     read_output();
     read_limits();
-    const bool sound_soils = read_own_soils();
-    const std::optional<std::vector<solver::Layer>> layers = read_layers(sound_soils);
-    const bool own_layers = layers && !layers->empty();
+    read_own_soils(profile_known);
+    const OwnLayers own = read_layers(root_, study_.baseline, doubts_, errors_);
+    const bool own_layers = !own.layers.empty() || (root_.find("layers") != nullptr && doubts_.depths);
+    places_.layers = own.places;
     read_zones();
 
-    if (own_layers) study_.baseline.layers = *layers;
-    if (sound_soils && layers) check_use_of_soils();
-    doubts_.layers = !sound_soils || !layers || (!profile_known && !own_layers);
-    const QuantitySections sections = read_quantities(root_, study_.baseline, doubts_, errors_);
+    if (own_layers) study_.baseline.layers = own.layers;
+    doubts_.layers = doubts_.layers || (!profile_known && !own_layers);
+    QuantitySections sections = read_quantities(root_, study_.baseline, doubts_, errors_);
     for (const Setting& setting : sections.settings)
       setting.quantity->set_value(study_.baseline, setting.value);
     for (const PlacedRow& placed : sections.rows) study_.rows.push_back(placed.row);
-    if (own_layers) study_.baseline.layers = *layers;  // setting the soil's height moves the last layer
+    if (own_layers) study_.baseline.layers = own.layers;  // setting the soil's height moves the last layer
+    check_height(own, profile_known, sections);
 
     read_points();
     read_design_points();
     read_repeats();
     read_paired_repeats();
     read_windows();
-    if (profile_known) check_study(study_, sections, places_, errors_);
+    if (profile_known) check_study(study_, sections, places_, doubts_, errors_);
     return std::move(study_);
   }
 
@@ -124,27 +126,30 @@ class StudyReader {
     study_.wall_limit_seconds = *minutes * 60.0;
   }
 
-  // Those of the section, or the defaults; false after an error. The layers of the profile then have its
-  // soils by name.
-  bool read_own_soils() {
+  // Those of the section, or the defaults. The layers of the profile then have its soils by name.
+  void read_own_soils(bool profile_known) {
     const std::vector<solver::Soil> defaults = study_.baseline.soils;
-    if (const Member* soils = root_.find("soils")) places_.soils = soils->place;
-    doubts_.soils = !read_soils(root_, study_.baseline, errors_);
-    if (doubts_.soils) return false;
-    if (places_.soils.line == 0) return true;
-    const bool own_layers = root_.find("layers") != nullptr;
-    for (solver::Layer& layer : study_.baseline.layers) {
-      const auto place = soil_named(defaults[layer.soil].name);
-      if (!place && !own_layers) {
-        errors_.add(
-            places_.soils, "soils",
-            fmt::format("names no soil \"{}\", which layers of the profile have", defaults[layer.soil].name),
-            "give [[layers]] of your own soils");
-        return false;
-      }
-      layer.soil = place.value_or(0);
+    read_soils(root_, study_.baseline, doubts_, errors_);
+    const Member* soils = root_.find("soils");
+    if (soils == nullptr) return;
+    places_.soils = soils->place;
+    const bool own_layers = root_.find("layers") != nullptr || errors_.is_meant(root_, "layers");
+    std::vector<solver::Layer> layers;
+    std::set<std::string> missing;
+    for (const solver::Layer& layer : study_.baseline.layers) {
+      const std::string& name = defaults[layer.soil].name;
+      const std::optional<std::size_t> place = soil_named(name);
+      const bool known = place && !doubts_.named.contains(name);
+      if (known) layers.push_back({layer.top, layer.bottom, *place});
+      if (!known && !own_layers) doubts_.layers = doubts_.depths = true;
+      if (!place) missing.insert(name);
     }
-    return true;
+    if (!missing.empty() && !own_layers && !doubts_.any && profile_known)
+      errors_.add(places_.soils, "soils",
+                  fmt::format("names no soil \"{}\", which layers of the profile have",
+                              fmt::join(missing, "\" and no soil \"")),
+                  "give [[layers]] of your own soils");
+    study_.baseline.layers = layers;
   }
 
   [[nodiscard]] std::optional<std::size_t> soil_named(std::string_view name) const {
@@ -154,33 +159,13 @@ class StudyReader {
                                 : std::optional(static_cast<std::size_t>(found - soils.begin()));
   }
 
-  // A soil that no layer has would be a slip of the pen.
-  void check_use_of_soils() {
-    if (places_.soils.line == 0) return;
-    for (const Member& member : root_.find("soils")->value.members)
-      if (!solver::contains(study_.baseline, *soil_named(member.key)))
-        errors_.add(member.place, joined("soils", member.key), "no layer consists of it",
-                    "name it in [[layers]], or leave it out");
-  }
-
-  // Nothing after an error.
-  std::optional<std::vector<solver::Layer>> read_layers(bool sound_soils) {
-    std::vector<std::string_view> names;
-    for (const solver::Soil& soil : study_.baseline.soils) names.push_back(soil.name);
-    std::vector<solver::Layer> layers;
-    bool sound = true;
-    for (const Value* table : sections(root_, "layers", errors_)) {
-      if (places_.layers.line == 0) places_.layers = table->place;
-      refuse_unknown("layers", *table);
-      const auto top = number_field(*table, "layers", "top_m", true, errors_);
-      const auto bottom = number_field(*table, "layers", "bottom_m", true, errors_);
-      // With errors in [soils] it is not known which soils there are.
-      const auto soil = sound_soils ? name_field(*table, "layers", "soil", true, names, errors_)
-                                    : text_field(*table, "layers", "soil", true, errors_);
-      sound = sound && sound_soils && top && bottom && soil;
-      if (sound) layers.push_back({*top, *bottom, *soil_named(*soil)});
-    }
-    return sound ? std::optional(layers) : std::nullopt;
+  // Layers that do not end at the soil's height leave it in doubt which of the two is meant.
+  void check_height(const OwnLayers& own, bool profile_known, QuantitySections& sections) {
+    const solver::Quantity& height = *solver::find_quantity("chamber.soil_height_m");
+    if (!profile_known || sections.doubtful.contains(height.name)) return;
+    if (check_end(own, height.value(study_.baseline), errors_)) return;
+    doubts_.depths = true;
+    sections.doubtful.insert(height.name);
   }
 
   void read_zones() {
@@ -300,6 +285,7 @@ class StudyReader {
     for (const Row& r : study_.rows) names.push_back(r.quantity->name);
     const std::string_view near =
         item.kind == Value::Kind::text ? nearest_name(item.text, names) : std::string_view();
+    if (row == study_.rows.end() && is_row_given(root_, item.text)) return nullptr;  // with an error
     if (row == study_.rows.end())
       errors_.add(item.place, "paired_repeats",
                   item.kind == Value::Kind::text
@@ -325,7 +311,8 @@ class StudyReader {
 
   void read_windows() {
     const Member* windows = root_.find("windows");
-    if (windows == nullptr || (windows->value.kind == Value::Kind::array && windows->value.items.empty()))
+    if ((windows == nullptr && !errors_.is_meant(root_, "windows")) ||
+        (windows != nullptr && windows->value.kind == Value::Kind::array && windows->value.items.empty()))
       errors_.add(windows ? windows->place : Place{}, "windows",
                   "is missing: a study needs at least one depth window to average q_c over",
                   "add [[windows]] with name, from_m and to_m");
@@ -388,6 +375,7 @@ class StudyReader {
 
   bool read_between(const Value& table, Window& window) {
     const Member* between = table.find("between_m");
+    if (between == nullptr && errors_.is_meant(table, "between_m")) return false;
     if (between == nullptr || between->value.kind != Value::Kind::array || between->value.items.size() != 2) {
       errors_.add(between ? between->value.place : table.place, "windows.between_m",
                   between ? "must be two depths, [from, to]" : "is missing",

@@ -46,7 +46,7 @@ std::vector<double> band_edges(const Setup& setup, double top) {
   }
   std::ranges::sort(edges);
   const auto same = [](double a, double b) { return b - a < touching; };
-  edges.erase(std::ranges::unique(edges, same).begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());  // clang 14 has no ranges::unique
   return edges;
 }
 

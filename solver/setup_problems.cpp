@@ -223,13 +223,14 @@ void Check::made() {
     if (!(layer.bottom > layer.top + touching))
       return add("layer_shift.shift_mm", fmt::format("{} leaves nothing of the layer down to {:.4g} m",
                                                      given("layer_shift.shift_mm"), layer.bottom));
-  for (const Layer& layer : layers) {
-    const std::string why =
-        layers.size() > 1 ? too_thin(setup_, layer.top, layer.bottom, "the " + setup_.soils[layer.soil].name)
-                          : "";
+  for (std::size_t k = 0; k < layers.size() && layers.size() > 1; ++k) {
+    const Layer& layer = layers[k];
+    const std::string why = too_thin(setup_, layer.top, layer.bottom, "the " + setup_.soils[layer.soil].name);
     if (why.empty()) continue;
-    add(shifted ? "layer_shift.shift_mm" : "layers",
-        shifted ? fmt::format("with {}, {}", given("layer_shift.shift_mm"), why) : why);
+    if (shifted)
+      add("layer_shift.shift_mm", fmt::format("with {}, {}", given("layer_shift.shift_mm"), why));
+    else
+      problems_.push_back({"layers", why, k});
     break;
   }
   const DensityLens& lens = setup_.mechanisms.density_lens;

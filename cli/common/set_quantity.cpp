@@ -7,6 +7,7 @@
 
 #include "cli/common/study_argument.hpp"
 #include "parameters/nearest_name.hpp"
+#include "parameters/unknown_quantity.hpp"
 #include "parameters/written_number.hpp"
 #include "solver/quantities.hpp"
 
@@ -46,9 +47,9 @@ void set_quantity(solver::Setup& setup, std::string_view setting, std::string_vi
   const std::string_view name = setting.substr(0, equals);
   const solver::Quantity* quantity = solver::find_quantity(name, setup);
   if (quantity == nullptr) {
-    const std::string_view near = parameters::nearest_quantity(name, setup);
-    throw BadInput(fmt::format("--set {}: there is no quantity {}{}", setting, name,
-                               near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+    const std::string meant = parameters::meant_quantity(name, setup);
+    throw BadInput(fmt::format("--set {}: there is no quantity {}{}{}", setting, name,
+                               meant.empty() ? "" : "; ", meant));
   }
   if (!name.starts_with(group))
     throw BadInput(fmt::format("--set {}: only quantities named {}... play a part here", setting, group));

@@ -48,6 +48,8 @@ TEST(Hints, MisspeltWordsOfTheCommandLine) {
       {{"element", "triaxial", "--materiall", "sand"}, "did you mean --material?"},
       {{"compare", folder.study(), folder.study(), "mean"}, "did you mean means?"},
       {{"push", folder.study(), "--set", "sand.relative_density=40"}, "did you mean sand.D_r_percent?"},
+      {{"push", folder.study(), "--set", "sand.s_u_kPa=40"},
+       "s_u_kPa is a parameter of tresca (no soil here); sand is of norsand"},
       {{"push", folder.study(), "--set", "chamber.wall=rigd"}, "did you mean rigid?"},
       {{"push", folder.study(), "--set", "sand.H=2,5"}, "decimals follow a point, not a comma: 2.5"},
       {{"push", folder.study(), "--set", "sand.H=+-5"}, "not a number"},

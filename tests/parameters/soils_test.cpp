@@ -71,9 +71,10 @@ TEST(Soils, WhatIsWrongIsSaidWithItsPlace) {
                "layers.soil", "is not one of a", "");
   expect_error("[soils.a]\nlaw = \"norsand\"\n[[layers]]\ntop_m = 0\nbottom_m = 1\n", "layers.soil",
                "is missing", "");
-  expect_error(two_soils + "[fixed]\n\"soft.H\" = 40\n", "fixed.soft.H", "unknown quantity", "loose.H");
+  expect_error(two_soils + "[fixed]\n\"soft.H\" = 40\n", "fixed.soft.H", "unknown quantity",
+               "H is a parameter of norsand (loose); soft is of tresca");
   expect_error(two_soils + "[fixed]\n\"soft.kappa\" = 0.1\n", "fixed.soft.kappa", "unknown quantity",
-               "kappa is a parameter of modified_cam_clay; the soils are loose (norsand), soft (tresca)");
+               "kappa is a parameter of modified_cam_clay (no soil here); soft is of tresca");
   expect_error(two_soils + "[fixed]\n\"sand.H\" = 40\n", "fixed.sand.H", "unknown quantity", "loose.H");
   expect_error(two_soils + "[fixed]\n\"loose.e_min\" = 0.95\n", "fixed.loose.e_min", "must be below", "");
 }
