@@ -7,7 +7,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <stdexcept>
 
+#include "parameters/distributions/read_distribution.hpp"
 #include "parameters/nearest_name.hpp"
 #include "parameters/study_keys.hpp"
 #include "parameters/unknown_quantity.hpp"
@@ -17,6 +19,9 @@ namespace cpt::parameters {
 namespace {
 
 using solver::Quantity;
+
+// Where the bounds of a row lie that has a distribution and none of its own.
+constexpr double lower_probability = 0.05;
 
 struct OtherUnit {
   std::string_view unit;   // of the study files
@@ -226,9 +231,17 @@ class QuantitiesReader {
     }
     const bool known_keys =
         refuse_unknown_keys(table, named.key, known_names(study_keys(), "parameters"), errors_);
-    const Bound baseline = read_bound(named, "baseline"), lower = read_bound(named, "lower"),
-                upper = read_bound(named, "upper"), alternative = read_bound(named, "alternative");
+    Bound baseline = read_bound(named, "baseline"), lower = read_bound(named, "lower"),
+          upper = read_bound(named, "upper"), alternative = read_bound(named, "alternative");
     if (!baseline.sound()) return doubt(named);
+    std::shared_ptr<const Marginal> distributed;
+    if (const Member* member = table.find("distribution")) {
+      distributed = read_marginal(named, *member, alternative);
+      if (!distributed) return doubt(named);
+      if (!baseline.value) baseline = quantile(quantity, *member, *distributed, 0.5);
+      if (lower.member == nullptr) lower = quantile(quantity, *member, *distributed, lower_probability);
+      if (upper.member == nullptr) upper = quantile(quantity, *member, *distributed, 1.0 - lower_probability);
+    }
     const double value = baseline.value.value_or(quantity.value(setup_));
     if (baseline.value) sections_.settings.push_back({named.quantity, value, named.key, named.member->place});
 
@@ -242,7 +255,35 @@ class QuantitiesReader {
     }
     const bool alternative_is_lower = alternative.value && *alternative.value < value;
     add_row(named, value, alternative_is_lower ? alternative : lower,
-            alternative.value && !alternative_is_lower ? alternative : upper);
+            alternative.value && !alternative_is_lower ? alternative : upper, distributed);
+  }
+
+  // nullptr after an error.
+  std::shared_ptr<const Marginal> read_marginal(const Named& named, const Member& member,
+                                                const Bound& alternative) {
+    const std::string key = joined(named.key, "distribution");
+    if (alternative.member != nullptr) {
+      errors_.add(
+          alternative.member->place, joined(named.key, "alternative"), "cannot stand beside a distribution",
+          "give the values and their weights: distribution = { kind = \"discrete\", values = [...] }");
+      return nullptr;
+    }
+    const auto distribution = read_distribution(member.value, *named.quantity, key, errors_);
+    if (!distribution) return nullptr;
+    try {
+      return marginal(*distribution);
+    } catch (const std::runtime_error& missing) {
+      errors_.add(member.value.place, key, missing.what());
+    } catch (const std::invalid_argument& problem) {
+      errors_.add(member.value.place, key, problem.what());
+    }
+    return nullptr;
+  }
+
+  static Bound quantile(const Quantity& quantity, const Member& member, const Marginal& distributed,
+                        double probability) {
+    const double value = distributed.quantile(probability);
+    return {&member, quantity.integer ? std::round(value) : value};
   }
 
   bool not_crossed(const Named& named, double baseline, const Bound& side, std::string_view name) {
@@ -256,8 +297,10 @@ class QuantitiesReader {
     return false;
   }
 
-  void add_row(const Named& named, double baseline, const Bound& lower, const Bound& upper) {
-    const Row row{named.quantity, baseline, lower.value.value_or(baseline), upper.value.value_or(baseline)};
+  void add_row(const Named& named, double baseline, const Bound& lower, const Bound& upper,
+               std::shared_ptr<const Marginal> distributed) {
+    const Row row{named.quantity, baseline, lower.value.value_or(baseline), upper.value.value_or(baseline),
+                  std::move(distributed)};
     if (row.lower == row.upper) {
       errors_.add(named.member->place, named.key,
                   fmt::format("nothing differs from the baseline {}", named.quantity->format(baseline)),

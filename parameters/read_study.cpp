@@ -15,6 +15,7 @@
 #include "parameters/document.hpp"
 #include "parameters/fields.hpp"
 #include "parameters/nearest_name.hpp"
+#include "parameters/read_correlation.hpp"
 #include "parameters/read_design.hpp"
 #include "parameters/read_layers.hpp"
 #include "parameters/read_quantities.hpp"
@@ -210,6 +211,7 @@ class StudyReader {
 
   void read_design_points() {
     study_.design = read_design(root_, study_.rows, study_.baseline, errors_);
+    study_.correlations = read_correlations(root_, study_.rows, study_.design, errors_);
     study_.design.first_point = study_.points.size();
     const std::vector<DesignPoint> made = design_points(study_);
     study_.design.points = made.size();

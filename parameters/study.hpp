@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "parameters/distributions/distribution.hpp"
 #include "solver/presets.hpp"
 #include "solver/quantities.hpp"
 #include "solver/setup.hpp"
@@ -17,8 +19,15 @@ namespace cpt::parameters {
 struct Row {
   const solver::Quantity* quantity;
   double baseline;
-  double lower;  ///< equal to baseline where one-sided
-  double upper;  ///< equal to baseline where one-sided
+  double lower;                                        ///< equal to baseline where one-sided
+  double upper;                                        ///< equal to baseline where one-sided
+  std::shared_ptr<const Marginal> marginal = nullptr;  ///< how it is distributed; none: within its bounds
+};
+
+/// Spearman's rank correlation of two rows, indices into Study::rows.
+struct RankCorrelation {
+  std::size_t first, second;
+  double rho;  ///< above -1 and below 1
 };
 
 /// A value for a quantity, in its study unit.
@@ -69,11 +78,12 @@ struct Study {
   /// In file order, then the design's, then the repeats, then the bounds of rows with the repeats' shifts.
   std::vector<DesignPoint> points;
   Design design;
-  std::vector<Window> windows;       ///< at least one
-  std::filesystem::path database;    ///< default NAME.sqlite beside the study
-  std::filesystem::path curves;      ///< default NAME.h5
-  std::filesystem::path report_dir;  ///< default NAME-report
-  double wall_limit_seconds;         ///< of one realization; infinity if not given
+  std::vector<RankCorrelation> correlations;  ///< of rows of the design; the others are independent
+  std::vector<Window> windows;                ///< at least one
+  std::filesystem::path database;             ///< default NAME.sqlite beside the study
+  std::filesystem::path curves;               ///< default NAME.h5
+  std::filesystem::path report_dir;           ///< default NAME-report
+  double wall_limit_seconds;                  ///< of one realization; infinity if not given
 };
 
 }  // namespace cpt::parameters

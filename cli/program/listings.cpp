@@ -4,6 +4,7 @@
 
 #include "cli/exit_codes.hpp"
 #include "diagnosis/request_keys.hpp"
+#include "parameters/distributions/read_distribution.hpp"
 #include "parameters/study_keys.hpp"
 #include "results/tables/query.hpp"
 #include "solver/channels.hpp"
@@ -171,6 +172,19 @@ Table keys(std::span<const parameters::KeyTable> tables) {
 }
 
 Table study_keys(bool) { return keys(parameters::study_keys()); }
+
+Table distributions(bool) {
+  Table table{{"kind", "key", "values", "without it", "meaning"}, {}};
+  for (const parameters::KeyTable& kind : parameters::distribution_kinds()) {
+    const std::string name(kind.name);
+    table.rows.push_back({name, std::string(), std::string(), std::string(), std::string(kind.meaning)});
+    for (const parameters::Key& key : kind.keys)
+      table.rows.push_back(
+          {name, std::string(key.name), values_of(key), std::string(key.usually), std::string(key.meaning)});
+  }
+  return table;
+}
+
 Table request_keys(bool) { return keys(diagnosis::request_keys()); }
 
 Table exit_codes(bool) {
@@ -270,6 +284,8 @@ constexpr Listing all_listings[] = {
     {"commands", "What to type",
      "the usual command lines; a database may stand where a study does, but to run it", commands},
     {"study-keys", "Keys of a study", "the keys of a study file", study_keys},
+    {"distributions", "Distributions",
+     "how a row of [parameters] may be distributed, with the keys of each kind (designs.md)", distributions},
     {"quantities", "Quantities",
      "everything a study can set or vary; defaults of homogeneous_sand at standard", quantities},
     {"laws", "Constitutive laws", "what a soil of [soils] may be, and the parameters it then has", laws},

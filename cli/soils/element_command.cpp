@@ -44,6 +44,18 @@ void choose_stress(const ElementArguments& arguments, solver::ElementTest& test)
   test.sigma_r = arguments.sigma_h0_kPa ? *arguments.sigma_h0_kPa * kPa : K_0 * test.sigma_a;
 }
 
+// What the law says of its parameters in a study, it says here.
+void refuse_impossible(solver::Setup setup, const solver::Soil& soil, const solver::ElementTest& test) {
+  const auto place = static_cast<std::size_t>(std::ranges::find(setup.soils, soil.name, &solver::Soil::name) -
+                                              setup.soils.begin());
+  setup.layers = {{0.0, setup.chamber.soil_height, place}};
+  setup.initial.sigma_v0 = test.sigma_a;
+  setup.initial.sigma_h0 = test.sigma_r;
+  for (const solver::Problem& problem : solver::law_of(soil).problems(setup, place, true))
+    if (problem.quantity.starts_with(soil.name + "."))
+      throw BadInput(fmt::format("{}: {}", problem.quantity, problem.message));
+}
+
 solver::ElementTest make_test(const ElementArguments& arguments) {
   solver::Setup setup = solver::make_setup(solver::Profile::homogeneous_sand, solver::Preset::standard);
   if (const solver::Law* law = solver::find_law(arguments.material))
@@ -58,10 +70,11 @@ solver::ElementTest make_test(const ElementArguments& arguments) {
   for (const std::string& setting : settings) set_quantity(setup, setting, group);
 
   solver::ElementTest test;
+  choose_stress(arguments, test);
+  refuse_impossible(setup, soil, test);
   test.path = arguments.path;
   test.drained = arguments.drained;
   test.material = soil.parameters;
-  choose_stress(arguments, test);
   if (arguments.e_0) test.e_0 = *arguments.e_0;
   if (arguments.p_i_kPa) test.h_0 = *arguments.p_i_kPa * kPa;
   if (arguments.max_sigma_v_kPa) test.max_axial_stress = *arguments.max_sigma_v_kPa * kPa;

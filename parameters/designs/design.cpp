@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -11,7 +12,9 @@
 #include "parameters/designs/latin_hypercube.hpp"
 #include "parameters/designs/morris.hpp"
 #include "parameters/designs/pairs.hpp"
+#include "parameters/designs/propagation.hpp"
 #include "parameters/designs/sobol.hpp"
+#include "parameters/distributions/copula.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -23,11 +26,17 @@ DesignKind one_at_a_time_design() {
   return {.name = "one_at_a_time", .run_count = [](const Design&) { return 0L; }};
 }
 
+bool is_drawn(const DesignKind& kind, const Row& row) { return kind.samples && row.marginal != nullptr; }
+
 DesignPoint point_of(const Study& study, const MatrixXd& places, Index run) {
-  DesignPoint point{design_named(study.design.kind).run_name(study.design, run), {}};
+  const DesignKind& kind = design_named(study.design.kind);
+  DesignPoint point{kind.run_name(study.design, run), {}};
   for (Index j = 0; j < places.cols(); ++j) {
     const Row& row = study.rows[study.design.rows[static_cast<std::size_t>(j)]];
-    if (!std::isnan(places(run, j))) point.changes.push_back({row.quantity, value_at(row, places(run, j))});
+    const double place = places(run, j);
+    if (std::isnan(place)) continue;
+    point.changes.push_back(
+        {row.quantity, is_drawn(kind, row) ? value_of_probability(row, place) : value_at(row, place)});
   }
   return point;
 }
@@ -51,7 +60,8 @@ std::map<std::string, std::size_t> by_settings(const Study& study,
 
 std::span<const DesignKind> all_designs() {
   static const std::vector<DesignKind> list = {
-      one_at_a_time_design(), pairs_design(), morris_design(), latin_hypercube_design(), sobol_design(),
+      one_at_a_time_design(),   pairs_design(), morris_design(),
+      latin_hypercube_design(), sobol_design(), propagation_design(),
   };
   return list;
 }
@@ -78,13 +88,28 @@ MatrixXd design_places(const Study& study) {
   const DesignKind& kind = design_named(study.design.kind);
   if (kind.places == nullptr) return MatrixXd(0, width_of(study.design));
   MatrixXd places = kind.places(study.design);
+  if (!study.correlations.empty())
+    places = dependent_places(places, score_correlations(study.correlations, study.design));
   for (Index j = 0; j < places.cols(); ++j) {
     const Row& row = study.rows[study.design.rows[static_cast<std::size_t>(j)]];
     for (double& place : places.col(j))
-      if (values_of(row) > 0 && !std::isnan(place))
+      if (values_of(row) > 0 && !std::isnan(place) && !is_drawn(kind, row))
         place = (value_at(row, place) - row.lower) / (row.upper - row.lower);
   }
   return places;
+}
+
+MatrixXd score_correlations(const std::vector<RankCorrelation>& pairs, const Design& design) {
+  const Index width = width_of(design);
+  MatrixXd scores = MatrixXd::Identity(width, width);
+  const auto place = [&](std::size_t row) {
+    return std::ranges::find(design.rows, row) - design.rows.begin();
+  };
+  for (const RankCorrelation& pair : pairs) {
+    const Index a = place(pair.first), b = place(pair.second);
+    scores(a, b) = scores(b, a) = score_correlation(pair.rho);
+  }
+  return scores;
 }
 
 int values_of(const Row& row) {
@@ -97,6 +122,14 @@ int values_of(const Row& row) {
 double value_at(const Row& row, double place) {
   if (!row.quantity->choices.empty()) return place < 0.5 ? row.lower : row.upper;
   const double value = std::lerp(row.lower, row.upper, place);
+  return row.quantity->integer ? std::round(value) : value;
+}
+
+double value_of_probability(const Row& row, double probability) {
+  if (row.marginal == nullptr) return value_at(row, probability);
+  // Where the normal score of a probability would be infinite, as little inside.
+  constexpr double edge = 1e-12;
+  const double value = row.marginal->quantile(std::clamp(probability, edge, 1.0 - edge));
   return row.quantity->integer ? std::round(value) : value;
 }
 

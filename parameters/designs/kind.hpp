@@ -24,6 +24,11 @@ struct DesignKind {
   std::vector<DesignKey> keys = {};                                  ///< that it knows, beside `parameters`
   std::size_t least_rows = 1;                                        ///< that must vary
   std::size_t usual_rows = std::numeric_limits<std::size_t>::max();  ///< at most, where the study names none
+  /// A place is a probability: a row with a distribution takes its quantile there. Else places lie between
+  /// the bounds.
+  bool samples = false;
+  /// Its rows may be correlated; its numbers do not take them for independent.
+  bool dependent = false;
   /// Runs that it asks for, before any is made.
   long (*run_count)(const Design& design) = nullptr;
   /// Runs x Design::rows in the unit cube; NaN: left at its baseline. No function: it changes nothing

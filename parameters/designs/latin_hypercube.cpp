@@ -85,6 +85,7 @@ DesignKind latin_hypercube_design() {
   return {.name = "latin_hypercube",
           // Loeppky, Sacks & Welch (2009), Technometrics 51
           .keys = {{"runs", 0.0, 10.0}, {"first_runs", 0.0}, {"seed", 1.0}},
+          .samples = true,
           .run_count = [](const Design& design) { return long{design.runs}; },
           .places =
               [](const Design& design) {

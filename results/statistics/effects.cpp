@@ -22,6 +22,7 @@ void add_pairs_effects(WindowEffects& window);
 void add_morris_effects(WindowEffects& window);
 void add_latin_hypercube_effects(WindowEffects& window);
 void add_sobol_effects(WindowEffects& window);
+void add_propagation_effects(WindowEffects& window);
 
 namespace {
 
@@ -54,6 +55,7 @@ constexpr std::array estimators = {
     Estimator{"morris", add_morris_effects},
     Estimator{"latin_hypercube", add_latin_hypercube_effects},
     Estimator{"sobol", add_sobol_effects},
+    Estimator{"propagation", add_propagation_effects},
 };
 
 }  // namespace

@@ -13,8 +13,9 @@ namespace cpt::results {
 struct EffectRow {
   std::string window, parameter;
   std::string other_parameter;  ///< of a pair
-  std::string quantity;         ///< interaction; mu_star, mu, sigma; first_order, total_order, Q2
-  std::string unit;             ///< "kPa", or "-" for a share of the variance
+  /// interaction; mu_star, mu, sigma; first_order, total_order, Q2; mean, standard_deviation, quantile_05 ...
+  std::string quantity;
+  std::string unit;  ///< "kPa", or "-" for a share of the variance
   double value, lower, upper;
   int used = 0;     ///< elementary effects (morris), rows (sobol), else runs
   int dropped = 0;  ///< of the same, because a run has no result

@@ -1,5 +1,7 @@
 #include "solver/constitutive/element_test.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <memory>
 
@@ -125,6 +127,11 @@ ElementResult run_element_test(const ElementTest& test) {
     result.rows.push_back(row(test, specimen, eps_a, eps_v));
     if (!std::isfinite(result.rows.back().q + result.rows.back().p)) {
       result.problem = "the stress became non-finite";
+      return result;
+    }
+    if (std::holds_alternative<LawParameters>(test.material) && !(specimen.e() > 0.0)) {
+      result.rows.pop_back();
+      result.problem = fmt::format("no voids are left at an axial strain of {:.3g} %", 100.0 * eps_a);
       return result;
     }
     if (axial_stress(specimen) >= test.max_axial_stress) break;

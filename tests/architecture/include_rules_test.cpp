@@ -36,7 +36,9 @@ const std::map<std::string, std::string> headers = {
     {"Boost.Math", "boost/math/.*"},
     {"Boost.PropertyTree (XML)", "boost/property_tree/.*"},
     {"Boost.Random", "boost/random/.*"},
+    {"OpenTURNS", "openturns/.*"},
     {"OpenMP, vector instructions", "omp\\.h|immintrin\\.h"},
+    {"POSIX: modules", "dlfcn\\.h"},
     {"POSIX: files and locks", "(sys/[a-z]+|fcntl|poll|unistd)\\.h"},
     {"POSIX: processes and signals", "(sched|signal|spawn)\\.h"},
 };

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "parameters/all_realizations.hpp"
+#include "tests/parameters/distributions/with_openturns.hpp"
 #include "tests/parameters/studies.hpp"
 #include "tests/solver/default_soils.hpp"
 
@@ -72,6 +73,11 @@ TEST(Examples, HaveTheirRealizations) {
   expect_study("diagnosis/deltares.toml", Profile::layered_sand_clay, Preset::quick, 12);
   expect_study("designs/latin_hypercube.toml", Profile::homogeneous_sand, Preset::quick, 7 + 40);
   expect_study("designs/sobol.toml", Profile::homogeneous_sand, Preset::quick, 7 + 16 * 4);
+}
+
+TEST(Examples, WithDistributionsAreSound) {
+  if (const std::string why = without_openturns(); !why.empty()) GTEST_SKIP() << why;
+  expect_study("designs/propagation.toml", Profile::homogeneous_sand, Preset::quick, 1 + 4 * 2 + 60);
 }
 
 // Yost et al. (2023), sections 6.2 and 6.3: what the chamber's studies change, and nothing else.

@@ -99,7 +99,9 @@ TEST(StudyKeys, WhatHoldsWithoutThemIsWhatTheReaderTakes) {
   EXPECT_EQ(std::to_string(morris.seed), usual("design", "seed"));
   const Design hypercube = study_of(sand_study(rows + "[design]\nkind = \"latin_hypercube\"\n")).design;
   const Design sobol = study_of(sand_study(rows + "[design]\nkind = \"sobol\"\n")).design;
-  EXPECT_EQ(fmt::format("{} for each parameter; of sobol {}", hypercube.runs / 2, sobol.runs),
+  const Design propagation = study_of(sand_study(rows + "[design]\nkind = \"propagation\"\n")).design;
+  EXPECT_EQ(fmt::format("{} for each parameter; of sobol {}, of propagation {}", hypercube.runs / 2,
+                        sobol.runs, propagation.runs),
             usual("design", "runs"));
 }
 

@@ -67,8 +67,7 @@ void add_window(XyPlot& plot, const NumericsStudy& study, const Setting& setting
   if (!is_refinement(setting)) return;
   const auto triples = mesh_triples(study, window);
   if (!triples.empty() && triples.front().error.order >= results::least_order)
-    plot.curves.push_back(
-        {{{0.0, change(triples.front().error.extrapolated)}}, {palette::ink, 1.0, {}}, mark});
+    plot.curves.push_back({{{0.0, change(triples.front().error.extrapolated)}}, {color, 1.0, {}}, mark});
 }
 
 }  // namespace
@@ -103,7 +102,7 @@ std::string settings_figure(const NumericsStudy& study) {
     legend.dot(plain(window.name + ", " + reports::depth_range(window.from_m, window.to_m)), color_of(w));
     legend.line(plain("repeats, 95 %"), {color_of(w), 0.7, "3 2"});
   }
-  legend.dot(plain("extrapolated to cell size zero"), palette::ink);
+  legend.dot(plain("at cell size zero: extrapolated, in the color of its window"), palette::ink);
   return svg.document(campaign.campaign.title);
 }
 

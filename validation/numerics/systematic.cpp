@@ -18,7 +18,8 @@ constexpr std::string_view head = R"(
 ## Systematic error beside the noise
 
 What finer cells, more material points and less inertia do to the averages of a baseline, each as far as it was run, and
-together (root of the sum of squares); beside it the noise, within which one more run lies with a probability of 95 %. An index
+together (root of the sum of squares): the error is at least that, and larger where the cells converge to further away, which the
+tables of the meshes tell; beside it the noise, within which one more run lies with a probability of 95 %. An index
 SI is a difference of two runs on one mesh; how far the systematic error moves it would take both on a finer one.
 
 )";

@@ -60,8 +60,8 @@ std::vector<Finding> void_ratio_findings(const Pushes& pushes) {
                          altered_to.section, Sign::falls, largest_contraction(push), 3),
           show({"D1", "least void ratio at the end, mean of a ring"}, least_void_ratio,
                least_ring_void_ratio(push), 3, ""),
-          show({"D1", "least void ratio at the end, single material point"}, least_void_ratio,
-               least_point_void_ratio(push), 3, "")};
+          show({"D1", "least void ratio at the end, single material point anywhere in the soil"},
+               least_void_ratio, least_point_void_ratio(push), 3, "")};
 }
 
 }  // namespace cpt::validation::paper

@@ -1,0 +1,44 @@
+#include <array>
+
+#include "parameters/designs/propagation.hpp"
+#include "results/statistics/window_effects.hpp"
+
+namespace cpt::results {
+namespace {
+
+using Eigen::VectorXd;
+
+struct Number {
+  std::string_view name;
+  int least;  ///< entries of a section that it takes
+  double (*of)(const VectorXd&);
+};
+
+template <int Percent>
+double percentile(const VectorXd& sample) {
+  return parameters::sample_quantile(sample, Percent / 100.0);
+}
+
+constexpr std::array numbers = {
+    Number{"mean", 1, [](const VectorXd& y) { return y.mean(); }},
+    Number{"standard_deviation", 2, parameters::sample_deviation},
+    Number{"quantile_05", 2, percentile<5>},
+    Number{"quantile_25", 2, percentile<25>},
+    Number{"quantile_50", 2, percentile<50>},
+    Number{"quantile_75", 2, percentile<75>},
+    Number{"quantile_95", 2, percentile<95>},
+};
+
+}  // namespace
+
+void add_propagation_effects(WindowEffects& w) {
+  const auto used = static_cast<int>((w.y.array() == w.y.array()).count());
+  const auto dropped = static_cast<int>(w.y.size()) - used;
+  for (const Number& number : numbers) {
+    const auto estimate = parameters::by_sections(w.y, number.least, number.of);
+    w.rows.push_back({w.window.name, "", "", std::string(number.name), "kPa", estimate.value, estimate.lower,
+                      estimate.upper, used, dropped, w.note});
+  }
+}
+
+}  // namespace cpt::results

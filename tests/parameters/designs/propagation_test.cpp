@@ -1,0 +1,83 @@
+#include "parameters/designs/propagation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <vector>
+
+namespace cpt::parameters {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+TEST(PropagationPlaces, GrowWithoutMovingAndLieWithin) {
+  const MatrixXd few = propagation_places(5, 37, 3), many = propagation_places(5, 200, 3);
+  EXPECT_EQ(many.topRows(37), few);
+  EXPECT_GT(many.minCoeff(), 0.0);
+  EXPECT_LT(many.maxCoeff(), 1.0);
+  EXPECT_NE(propagation_places(5, 37, 4), few);
+}
+
+// 32 points of a section fall into 32 equal intervals of every input, one in each.
+TEST(PropagationPlaces, EverySectionFillsTheRange) {
+  const MatrixXd places = propagation_places(4, 32 * propagation_sections, 1);
+  for (Index section = 0; section < propagation_sections; ++section)
+    for (Index j = 0; j < 4; ++j) {
+      std::vector<int> taken(32);
+      for (Index i = section; i < places.rows(); i += propagation_sections)
+        ++taken[static_cast<std::size_t>(places(i, j) * 32.0)];
+      for (const int count : taken) EXPECT_EQ(count, 1);
+    }
+}
+
+TEST(SampleNumbers, AreThoseOfKnownSamples) {
+  const VectorXd sample = VectorXd::LinSpaced(9, 1.0, 9.0);
+  EXPECT_DOUBLE_EQ(sample_deviation(sample), std::sqrt(7.5));
+  EXPECT_DOUBLE_EQ(sample_quantile(sample, 0.5), 5.0);
+  EXPECT_NEAR(sample_quantile(sample, 0.25), (9.0 + 1.0 / 3.0) * 0.25 + 1.0 / 3.0, 1e-12);  // R: type = 8
+  EXPECT_EQ(sample_quantile(sample, 0.0), 1.0);
+  EXPECT_EQ(sample_quantile(sample, 1.0), 9.0);
+}
+
+TEST(BySections, LeavesOutWhatHasFailedAndNeedsEverySection) {
+  VectorXd y = VectorXd::LinSpaced(40, 0.0, 39.0);
+  const auto mean = [](const VectorXd& of) { return of.mean(); };
+  EXPECT_NEAR(by_sections(y, 2, mean).value, 19.5, 1e-12);
+  EXPECT_LT(by_sections(y, 2, mean).lower, 19.5);
+  y(3) = NAN;
+  EXPECT_NEAR(by_sections(y, 2, mean).value, (780.0 - 3.0) / 39.0, 1e-12);
+  for (Index i = 3; i < 40; i += propagation_sections) y(i) = NAN;
+  EXPECT_TRUE(std::isnan(by_sections(y, 2, mean).lower));
+  EXPECT_TRUE(std::isnan(by_sections(VectorXd::Constant(5, NAN), 2, mean).value));
+}
+
+// How often intervals hold the truth, of sums of four normal inputs, one of them squared for the mean; 95 %
+// of 200 repetitions scatter by +- 3 % at two deviations.
+TEST(BySections, IntervalsHoldTheTruthAsOftenAsTheySay) {
+  const boost::math::normal normal;
+  constexpr int repetitions = 200;
+  int mean = 0, deviation = 0, median = 0;
+  for (int seed = 1; seed <= repetitions; ++seed) {
+    const MatrixXd places = propagation_places(4, 200, static_cast<std::uint64_t>(seed));
+    VectorXd y(places.rows()), sum(places.rows());
+    for (Index i = 0; i < places.rows(); ++i) {
+      const auto z = [&](Index j) { return quantile(normal, places(i, j)); };
+      y(i) = z(0) + 0.5 * z(1) + z(2) * z(2) + 0.3 * z(3);
+      sum(i) = z(0) + z(1) + z(2) + z(3);
+    }
+    const auto holds = [](const Estimate& e, double truth) { return e.lower <= truth && truth <= e.upper; };
+    mean += holds(by_sections(y, 1, [](const VectorXd& of) { return of.mean(); }), 1.0);
+    deviation += holds(by_sections(sum, 2, sample_deviation), 2.0);
+    median += holds(by_sections(sum, 2, [](const VectorXd& of) { return sample_quantile(of, 0.5); }), 0.0);
+  }
+  for (const int count : {mean, deviation, median}) {
+    EXPECT_GE(count, 0.92 * repetitions);
+    EXPECT_LE(count, 0.99 * repetitions);
+  }
+}
+
+}  // namespace
+}  // namespace cpt::parameters
