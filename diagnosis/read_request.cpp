@@ -189,7 +189,7 @@ class RequestReader {
         errors_.add(fixed->place, joined(list, "fixed"), "must be a table of quantities and values");
       else
         for (const Setting& setting : read_settings(fixed->value, joined(list, "fixed"), {}, study_.baseline,
-                                                    {.layers = !known_}, errors_))
+                                                    {.any = !known_, .layers = !known_}, errors_))
           sounding.changes.push_back({setting.quantity, setting.value});
       if (known_) check_bounds(fixed->place, joined(list, "fixed"), sounding);
     }

@@ -103,7 +103,11 @@ std::string hint_for_unknown(std::string_view name, const solver::Setup& setup, 
   if (name == "layers" || name == "numerics.zones" || name == "zones")
     return fmt::format("give a [[{}]] table for each", name == "layers" ? "layers" : "zones");
   const std::string meant = meant_quantity(name, setup, layers_known);
-  return meant.empty() ? "`campaign list quantities` prints all of them" : meant;
+  if (!meant.empty()) return meant;
+  const auto soil = std::ranges::find(setup.soils, name.substr(0, name.find('.')), &solver::Soil::name);
+  return soil == setup.soils.end()
+             ? "`campaign list quantities` prints all of them"
+             : fmt::format("`campaign list laws` prints the parameters of {}", solver::law_of(*soil).name());
 }
 
 class QuantitiesReader {

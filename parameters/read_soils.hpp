@@ -12,12 +12,11 @@ namespace cpt::parameters {
 
 /// What is not known after errors elsewhere, so that nothing is judged by it.
 struct SoilDoubts {
-  bool any = false;                  ///< which soils there are: any name may be one
-  std::set<std::string> named = {};  ///< soils of these names: whether there is one, or of which law it is
-  std::set<std::string> unused =
-      {};               ///< soils that are told to be in no layer: their quantities are not told, too
-  bool layers = false;  ///< of which soils the layers are
-  bool depths = false;  ///< from where to where the layers reach
+  bool any = false;                   ///< which soils there are: any name may be one
+  std::set<std::string> named = {};   ///< soils of these names: whether there is one, or of which law it is
+  std::set<std::string> unused = {};  ///< soils that are told to be in no layer; their quantities are not
+  bool layers = false;                ///< of which soils the layers are
+  bool depths = false;                ///< from where to where the layers reach
 
   /// Whether a quantity "NAME.x" may be one of a soil of which nothing is known.
   [[nodiscard]] bool about(std::string_view name, const solver::Setup& setup) const;

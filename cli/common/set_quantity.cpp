@@ -47,7 +47,7 @@ void set_quantity(solver::Setup& setup, std::string_view setting, std::string_vi
   const std::string_view name = setting.substr(0, equals);
   const solver::Quantity* quantity = solver::find_quantity(name, setup);
   if (quantity == nullptr) {
-    const std::string meant = parameters::meant_quantity(name, setup);
+    const std::string meant = parameters::meant_quantity(name, setup, group.empty());
     throw BadInput(fmt::format("--set {}: there is no quantity {}{}{}", setting, name,
                                meant.empty() ? "" : "; ", meant));
   }

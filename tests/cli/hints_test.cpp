@@ -50,6 +50,8 @@ TEST(Hints, MisspeltWordsOfTheCommandLine) {
       {{"push", folder.study(), "--set", "sand.relative_density=40"}, "did you mean sand.D_r_percent?"},
       {{"push", folder.study(), "--set", "sand.s_u_kPa=40"},
        "s_u_kPa is a parameter of tresca (no soil here); sand is of norsand"},
+      {{"element", "triaxial", "--material", "clay", "--set", "cly.s_u_kPa=40"},
+       "did you mean clay.s_u_kPa?"},
       {{"push", folder.study(), "--set", "chamber.wall=rigd"}, "did you mean rigid?"},
       {{"push", folder.study(), "--set", "sand.H=2,5"}, "decimals follow a point, not a comma: 2.5"},
       {{"push", folder.study(), "--set", "sand.H=+-5"}, "not a number"},

@@ -103,6 +103,9 @@ TEST(ReadRequest, WhatDoesNotHangOnTheStudyIsToldWithoutIt) {
                                             "soundings.from_m"}))
       << format(found);
   EXPECT_EQ(problems("study = \"none.toml\"\ncell = 0,5\n").size(), 1U);
+  // Which soils a study has that cannot be read is not known.
+  EXPECT_EQ(problems("study = \"none.toml\"\n" + sounding + "[soundings.fixed]\n\"loose.H\" = 30\n").size(),
+            problems("study = \"none.toml\"\n" + sounding).size());
 }
 
 TEST(ReadRequest, ErrorsSayWhereWhatAndWhatInstead) {

@@ -75,6 +75,9 @@ TEST(Soils, WhatIsWrongIsSaidWithItsPlace) {
                "H is a parameter of norsand (loose); soft is of tresca");
   expect_error(two_soils + "[fixed]\n\"soft.kappa\" = 0.1\n", "fixed.soft.kappa", "unknown quantity",
                "kappa is a parameter of modified_cam_clay (no soil here); soft is of tresca");
+  expect_error(two_soils + "[fixed]\n\"soft.temperature_of_the_room\" = 20\n",
+               "fixed.soft.temperature_of_the_room", "unknown quantity",
+               "`campaign list laws` prints the parameters of tresca");
   expect_error(two_soils + "[fixed]\n\"sand.H\" = 40\n", "fixed.sand.H", "unknown quantity", "loose.H");
   expect_error(two_soils + "[fixed]\n\"loose.e_min\" = 0.95\n", "fixed.loose.e_min", "must be below", "");
 }
