@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "parameters/distributions/library.hpp"
 #include "parameters/distributions/read_distribution.hpp"
 #include "parameters/nearest_name.hpp"
 #include "parameters/study_keys.hpp"
@@ -240,11 +241,16 @@ class QuantitiesReader {
     if (!baseline.sound()) return doubt(named);
     std::shared_ptr<const Marginal> distributed;
     if (const Member* member = table.find("distribution")) {
-      distributed = read_marginal(named, *member, alternative);
+      const auto distribution = read_row_distribution(named, *member, alternative);
+      if (distribution) distributed = marginal_of(*distribution, *member, named);
       if (!distributed) return doubt(named);
-      if (!baseline.value) baseline = quantile(quantity, *member, *distributed, 0.5);
-      if (lower.member == nullptr) lower = quantile(quantity, *member, *distributed, lower_probability);
-      if (upper.member == nullptr) upper = quantile(quantity, *member, *distributed, 1.0 - lower_probability);
+      const auto take = [&](Bound& bound, double probability) {
+        if (bound.member == nullptr)
+          bound = {member, usual_quantile(*distributed, *distribution, quantity, probability)};
+      };
+      take(baseline, 0.5);
+      take(lower, lower_probability);
+      take(upper, 1.0 - lower_probability);
     }
     const double value = baseline.value.value_or(quantity.value(setup_));
     if (baseline.value) sections_.settings.push_back({named.quantity, value, named.key, named.member->place});
@@ -262,21 +268,23 @@ class QuantitiesReader {
             alternative.value && !alternative_is_lower ? alternative : upper, distributed);
   }
 
+  std::optional<Distribution> read_row_distribution(const Named& named, const Member& member,
+                                                    const Bound& alternative) {
+    if (alternative.member == nullptr)
+      return read_distribution(member.value, *named.quantity, joined(named.key, "distribution"), errors_);
+    errors_.add(alternative.member->place, joined(named.key, "alternative"),
+                "cannot stand beside a distribution",
+                "give the values and their weights: distribution = { kind = \"discrete\", values = [...] }");
+    return std::nullopt;
+  }
+
   // nullptr after an error.
-  std::shared_ptr<const Marginal> read_marginal(const Named& named, const Member& member,
-                                                const Bound& alternative) {
+  std::shared_ptr<const Marginal> marginal_of(const Distribution& distribution, const Member& member,
+                                              const Named& named) {
     const std::string key = joined(named.key, "distribution");
-    if (alternative.member != nullptr) {
-      errors_.add(
-          alternative.member->place, joined(named.key, "alternative"), "cannot stand beside a distribution",
-          "give the values and their weights: distribution = { kind = \"discrete\", values = [...] }");
-      return nullptr;
-    }
-    const auto distribution = read_distribution(member.value, *named.quantity, key, errors_);
-    if (!distribution) return nullptr;
     try {
-      return marginal(*distribution);
-    } catch (const std::runtime_error& missing) {
+      return marginal(distribution);
+    } catch (const MissingLibrary& missing) {
       errors_.add(member.value.place, key, missing.what());
     } catch (const std::invalid_argument& problem) {
       errors_.add(member.value.place, key, problem.what());
@@ -284,10 +292,12 @@ class QuantitiesReader {
     return nullptr;
   }
 
-  static Bound quantile(const Quantity& quantity, const Member& member, const Marginal& distributed,
-                        double probability) {
+  // Four digits, as one would write a bound; as it is where only some values can be.
+  static double usual_quantile(const Marginal& distributed, const Distribution& distribution,
+                               const Quantity& quantity, double probability) {
     const double value = distributed.quantile(probability);
-    return {&member, quantity.integer ? std::round(value) : value};
+    if (quantity.integer) return std::round(value);
+    return distribution.family == Family::discrete ? value : std::stod(fmt::format("{:.4g}", value));
   }
 
   bool not_crossed(const Named& named, double baseline, const Bound& side, std::string_view name) {

@@ -168,7 +168,12 @@ FlowLegend effects_legend(const Drawn& drawn) {
 
 }  // namespace
 
-std::string effects_legend_words(std::string_view design) { return std::string(drawn_of(design).words); }
+std::string effects_legend_words(std::string_view design) {
+  if (design == "propagation")
+    return "Line: share of the runs with an average of at most so much; circles: quantiles with their 95 % "
+           "intervals.";
+  return std::string(drawn_of(design).words);
+}
 
 std::optional<std::string> effects_figure(const Snapshot& campaign, const Effects& effects,
                                           const results::WindowRow& window, Place place) {

@@ -71,9 +71,10 @@ std::vector<NamedFigure> window_figures(const results::Snapshot& campaign, const
            window.name, noise_words(campaign, window.name)),
        sensitivity_figure(campaign, window, place)},
       {"effects_" + part,
-       fmt::format("What the design {} says of the inputs in window {}. {}", design, window.name,
+       fmt::format("What the design {} says of window {}. {}", design, window.name,
                    effects_legend_words(effects.design)),
-       effects_figure(campaign, effects, window, place)}};
+       effects.design == "propagation" ? propagation_figure(campaign, effects, window, place)
+                                       : effects_figure(campaign, effects, window, place)}};
 }
 
 void make_directory(const fs::path& directory) { results::make_folder(directory); }

@@ -30,6 +30,12 @@ namespace cpt::reports {
 [[nodiscard]] std::optional<std::string> effects_figure(const results::Snapshot& campaign,
                                                         const results::Effects& effects,
                                                         const results::WindowRow& window, Place place = {});
+/// Of a design `propagation`: how the averages of its runs are distributed, with the quantiles' intervals.
+/// Nothing with fewer than two runs.
+[[nodiscard]] std::optional<std::string> propagation_figure(const results::Snapshot& campaign,
+                                                            const results::Effects& effects,
+                                                            const results::WindowRow& window,
+                                                            Place place = {});
 /// What its bars and circles are, in a sentence.
 [[nodiscard]] std::string effects_legend_words(std::string_view design);
 

@@ -19,7 +19,7 @@ function effects() {
   if (!data.effects.length) return;
   const section = byId("effects");
   section.hidden = false;
-  section.append(el("p", {}, `Design ${data.design.replaceAll("_", " ")}: inputs changed together.`));
+  section.append(el("p", {}, `Design ${data.design.replaceAll("_", " ")}: inputs ${data.design === "propagation" ? "drawn from their distributions" : "changed together"}.`));
   for (const [k, window] of data.windows.entries()) {
     const rows = data.effects.filter((row) => row.window === window.name);
     section.append(el("h3", {}, window.name));

@@ -57,9 +57,26 @@ const largest_of = {
 };
 const largest_share = { quantity: "total_order", words: "holds the largest share of its variance, interactions included:" };
 
+/// "2135 kPa (95 %: 2106 to 2164)"
+function estimated(row) {
+  const interval = known(row.lower) ? ` (95 %: ${number(row.lower)} to ${number(row.upper)})` : "";
+  return `${number(row.value)} ${row.unit}${interval}`;
+}
+
+/// What q_c is worth with distributed inputs.
+function of_propagation(window) {
+  const row = (quantity) => effects_in(window, quantity).find((one) => known(one.value));
+  const mean = row("mean"), deviation = row("standard_deviation"), low = row("quantile_05"), high = row("quantile_95");
+  if (!mean || !deviation || !low || !high) return ["The design (propagation) says nothing yet."];
+  return [`With its inputs drawn from their distributions it averages ${estimated(mean)}, with a standard deviation of ` +
+    `${estimated(deviation)}; nine of ten values lie between ${number(low.value)} and ${number(high.value)} kPa` +
+    `${mean.dropped ? `; ${mean.dropped} runs are missing` : ""}.`];
+}
+
 /// What the design adds: its largest bar, as drawn further down.
 function of_design(window) {
   if (!has_design) return [];
+  if (data.design === "propagation") return of_propagation(window);
   const { quantity, words } = largest_of[data.design] || largest_share;
   const rows = effects_in(window, quantity);
   const first = d3.greatest(rows.filter((row) => known(row.value)), (row) => Math.abs(row.value));
