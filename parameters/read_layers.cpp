@@ -14,7 +14,7 @@ namespace cpt::parameters {
 namespace {
 
 constexpr double touching = 1.0e-9;  // [m] interfaces closer than this are the same
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_depth = std::numeric_limits<double>::quiet_NaN();
 
 // A table [[layers]] as far as it can be read.
 struct Given {
@@ -117,10 +117,10 @@ class LayersReader {
       const auto& [table, top, bottom, soil] = given_[k];
       const bool touches = !complete_ || !top || std::isnan(reached) || std::abs(*top - reached) <= touching;
       if (!touches) gaps.push_back({k, reached, *top > reached});
-      reached = bottom.value_or(unknown);
+      reached = bottom.value_or(no_depth);
       if (!touches || !top || !bottom || *bottom > *top + touching) continue;
       doubts_.depths = true;
-      reached = unknown;
+      reached = no_depth;
       errors_.add(given_[k].place_of("bottom_m"), "layers.bottom_m",
                   fmt::format("the layer from {} m to {} m has no thickness", *top, *bottom),
                   "depths grow downward: bottom_m must exceed top_m");
@@ -164,7 +164,7 @@ class LayersReader {
     OwnLayers own;
     for (const Given& layer : given_) {
       if (!layer.soil) continue;
-      own.layers.push_back({layer.top.value_or(unknown), layer.bottom.value_or(unknown), *layer.soil});
+      own.layers.push_back({layer.top.value_or(no_depth), layer.bottom.value_or(no_depth), *layer.soil});
       own.places.push_back(layer.table->place);
     }
     if (!complete_ || given_.empty() || !given_.back().bottom) return own;

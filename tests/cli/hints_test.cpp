@@ -287,7 +287,7 @@ TEST(Hints, LayersThatCannotBeMadeAreRefusedAndWhatIsOffIsTold) {
   for (const char* how : {"--validate", "--plan", "--no-report"}) {
     const Result refused = run(campaign({"run", study("0.062"), how, "--executor", FAKE_REALIZATION}));
     EXPECT_EQ(refused.exit_code, 2) << how;
-    expect_has(refused.err, "seam.toml:12:");
+    expect_has(refused.err, "seam.toml:16:");
     expect_has(refused.err,
                "error: layers: the clay from 0.06 to 0.062 m, 2 mm thick, is lower than a cell around the "
                "tip, 6.33 mm");
