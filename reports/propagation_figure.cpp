@@ -83,7 +83,7 @@ std::optional<std::string> propagation_figure(const Snapshot& campaign, const Ef
   legend.line(plain("runs"), {palette::blue, 1.2, {}});
   legend.add(12.0, plain("5, 25, 50, 75, 95 % quantile, 95 % interval"), [](Svg& svg, Point at) {
     svg.line({at.x, at.y}, {at.x + 12.0, at.y}, {palette::vermillion, 1.0, {}});
-    svg.circle({at.x + 6.0, at.y}, mark, palette::paper, {palette::vermillion, 1.1, {}});
+    svg.circle({at.x + 6.0, at.y}, mark, palette::vermillion, {palette::ink, 0.5, {}});
   });
 
   drawing::XyPlot plot;

@@ -16,6 +16,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr int fewest_sections = 5;  // that an interval rests on
+
 // Entries that are numbers; of one section, or of all (-1).
 VectorXd entries(const VectorXd& y, Index section) {
   std::vector<double> found;
@@ -53,14 +55,17 @@ Estimate by_sections(const VectorXd& y, int least, const std::function<double(co
   Estimate estimate;
   estimate.value = number(all);
   double squares = 0.0;
+  int sections = 0;
   for (Index section = 0; section < propagation_sections; ++section) {
     const VectorXd own = entries(y, section);
-    if (own.size() < least) return estimate;
+    if (own.size() < least) continue;
     squares += std::pow(number(own) - estimate.value, 2);
+    ++sections;
   }
-  const boost::math::students_t_distribution<double> student(propagation_sections - 1);
-  const double half = boost::math::quantile(student, 0.975) *
-                      std::sqrt(squares / (propagation_sections * (propagation_sections - 1.0)));
+  if (sections < fewest_sections) return estimate;
+  const boost::math::students_t_distribution<double> student(sections - 1);
+  const double half =
+      boost::math::quantile(student, 0.975) * std::sqrt(squares / (sections * (sections - 1.0)));
   if (!std::isfinite(half)) return estimate;
   estimate.lower = estimate.value - half;
   estimate.upper = estimate.value + half;

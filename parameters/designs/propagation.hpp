@@ -20,11 +20,12 @@ inline constexpr int propagation_sections = 10;
 /// same. No place is 0 or 1.
 [[nodiscard]] Eigen::MatrixXd propagation_places(int parameters, int runs, std::uint64_t seed);
 
-/// A number of the sample `y` (any of its entries, in any number) and its 95 % interval by sectioning: the
-/// number of all entries +- t s / sqrt(10), s the deviation of the sections' own numbers from it and t
-/// Student's 97.5 % point with 9 degrees of freedom (Nakayama 2014, Winter Simulation Conference, section 4:
-/// it holds for quantiles of such samples, where formulas for independent runs do not). NaN among `y` does
-/// not count. No interval where a section has fewer than `least` entries; no value without entries.
+/// A number of the sample `y` and its 95 % interval by sectioning: the number of all entries +- t s /
+/// sqrt(k), s the deviation of the k sections' own numbers from it and t Student's 97.5 % point with k - 1
+/// degrees of freedom (Nakayama 2014, Winter Simulation Conference, section 4: it holds for quantiles of such
+/// samples, where formulas for independent runs do not). NaN among `y`, runs without a result, do not count,
+/// nor do sections with fewer than `least` entries; no interval from fewer than five sections, no value
+/// without entries.
 [[nodiscard]] Estimate by_sections(const Eigen::VectorXd& y, int least,
                                    const std::function<double(const Eigen::VectorXd&)>& number);
 

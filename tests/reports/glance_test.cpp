@@ -74,6 +74,19 @@ TEST_F(Glance, NamesTheDesignsLargestEffect) {
   }
 }
 
+TEST_F(Glance, SaysWhatAPropagationFinds) {
+  const auto campaign = run_made_up_design(folder / "study.toml", "kind = \"propagation\"\nruns = 40");
+  const auto effects = results::design_effects(campaign);
+  const auto row = [&](std::string_view quantity) {
+    return *std::ranges::find(effects.rows, quantity, &results::EffectRow::quantity);
+  };
+  const std::string text = said(campaign, effects);
+  expect(text, fmt::format("it averages {} kPa (95 %: {} to {})", shown(row("mean").value),
+                           shown(row("mean").lower), shown(row("mean").upper)));
+  expect(text, fmt::format("nine of ten values lie between {} and {} kPa", shown(row("quantile_05").value),
+                           shown(row("quantile_95").value)));
+}
+
 TEST_F(Glance, SaysWhichNoiseAndHowManyRepeatsAreStillToCome) {
   const auto grey = [&]() -> std::string {
     return value("document.querySelector('#sensitivity details p').textContent");

@@ -8,6 +8,7 @@
 #include <regex>
 #include <string>
 
+#include "drawing/text.hpp"
 #include "reports/supplement.hpp"
 #include "tests/reports/made_up_campaigns.hpp"
 
@@ -197,6 +198,19 @@ TEST_F(Report, ShowsWhatTheDesignSays) {
     EXPECT_TRUE(has(read(folder / "report" / "report.json"), "\"design\": \"" + effects.design + "\""));
     fs::remove(folder / "study.sqlite");
   }
+}
+
+TEST_F(Report, ShowsHowAPropagationIsDistributed) {
+  const auto campaign = run_made_up_design(folder / "study.toml", "kind = \"propagation\"\nruns = 40");
+  write_report(campaign, folder / "report");
+  const std::string svg = read(folder / "report" / "effects_deep.svg");
+  const auto effects = results::design_effects(campaign);
+  const auto mean = std::ranges::find(effects.rows, "mean", &results::EffectRow::quantity);
+  EXPECT_EQ(mean->used, 36);  // every tenth run fails
+  EXPECT_TRUE(has(svg, "36 runs: mean " + drawing::number(mean->value, 4) + " ± "));
+  EXPECT_TRUE(has(svg, "share of the runs (%)"));
+  EXPECT_FALSE(has(svg, "nan"));
+  EXPECT_EQ(lines(read(folder / "report" / "effects.csv")), 1u + effects.rows.size());
 }
 
 TEST_F(Report, PdfCutsNoNoteReasonOrTitle) {

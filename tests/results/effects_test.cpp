@@ -179,6 +179,31 @@ TEST_F(EffectsOf, SobolGivesTheSharesWithinItsIntervals) {
   held("total_order", "chamber.wall", exact.wall);
 }
 
+// Inputs within their bounds are uniform: mean and variance of the made-up result are known.
+TEST_F(EffectsOf, PropagationTellsWhatTheResultIsWorth) {
+  const Effects effects =
+      design_effects(run("[design]\nkind = \"propagation\"\nruns = 200\n", {"propagation 3"}));
+  ASSERT_EQ(effects.rows.size(), 7U);
+  const double nu = 0.04 / 12.0, H = 2500.0 / 12.0;  // variances
+  const double variance = 1200.0 * 1200.0 * nu + 10.8 * 10.8 * H + 50.0 * 50.0 / 4.0 + 16.0 * nu * H;
+  const auto held = [&](const char* quantity, double truth) {
+    const EffectRow& of = row(effects, quantity, "");
+    EXPECT_LE(of.lower, truth * shape()) << quantity;
+    EXPECT_GE(of.upper, truth * shape()) << quantity;
+    EXPECT_LT(of.upper - of.lower, 0.2 * truth * shape()) << quantity;
+    EXPECT_EQ(of.used, 199);
+    EXPECT_EQ(of.dropped, 1);
+    EXPECT_EQ(of.note, "1 of 200 runs failed");
+  };
+  held("mean", 765.0);
+  held("standard_deviation", std::sqrt(variance));
+  double before = 0.0;
+  for (const char* quantile : {"quantile_05", "quantile_25", "quantile_50", "quantile_75", "quantile_95"}) {
+    EXPECT_GT(row(effects, quantile, "").value, before);
+    before = row(effects, quantile, "").value;
+  }
+}
+
 // Every design of results that are the same but for their last digits: no number, and the reason.
 TEST_F(EffectsOf, ResultsThatDoNotVaryAreUndefined) {
   for (const char* kind : {"pairs", "morris", "latin_hypercube", "sobol"}) {
