@@ -19,9 +19,9 @@ namespace cpt::parameters {
 [[nodiscard]] Eigen::MatrixXd nearest_correlation(const Eigen::MatrixXd& matrix);
 
 /// Places of runs in the unit cube (runs x inputs) with this correlation of their normal scores, from
-/// independent ones: u = Phi(L z), z = Phi^-1(place), L L^T = correlation. An input's first place decides its
-/// own value alone: column 0 stays as it is. Places of 0 and 1 stay where the first input's do, else are
-/// taken 1e-12 inside. NaN where the independent place is NaN.
+/// independent ones: u = Phi(L z), z = Phi^-1(place), L L^T = correlation. An input that depends on none
+/// before it keeps its places. Places of 0 and 1, whose scores are infinite, count as 1e-12 inside; NaN stays
+/// NaN.
 [[nodiscard]] Eigen::MatrixXd dependent_places(const Eigen::MatrixXd& places,
                                                const Eigen::MatrixXd& score_correlation);
 
