@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "parameters/distributions/library.hpp"
 #include "parameters/distributions/read_distribution.hpp"
@@ -241,8 +242,14 @@ class QuantitiesReader {
     if (!baseline.sound()) return doubt(named);
     std::shared_ptr<const Marginal> distributed;
     if (const Member* member = table.find("distribution")) {
-      const auto distribution = read_row_distribution(named, *member, alternative);
-      if (distribution) distributed = marginal_of(*distribution, *member, named);
+      std::optional<Distribution> distribution;
+      try {
+        distribution = read_row_distribution(named, *member, alternative);
+        if (distribution) distributed = marginal_of(*distribution, *member, named);
+      } catch (const MissingLibrary& missing) {
+        if (!std::exchange(library_told_, true))
+          errors_.add(member->value.place, joined(named.key, "distribution"), missing.what());
+      }
       if (!distributed) return doubt(named);
       const auto take = [&](Bound& bound, double probability) {
         if (bound.member == nullptr)
@@ -284,8 +291,6 @@ class QuantitiesReader {
     const std::string key = joined(named.key, "distribution");
     try {
       return marginal(distribution);
-    } catch (const MissingLibrary& missing) {
-      errors_.add(member.value.place, key, missing.what());
     } catch (const std::invalid_argument& problem) {
       errors_.add(member.value.place, key, problem.what());
     }
@@ -332,6 +337,7 @@ class QuantitiesReader {
   ErrorList& errors_;
   QuantitySections sections_;
   std::map<const Quantity*, std::pair<std::string, Place>> first_;
+  bool library_told_ = false;  // that OpenTURNS is missing, of the first distribution alone
 };
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <vector>
 
-#include "parameters/distributions/library.hpp"
 #include "parameters/distributions/moments.hpp"
 #include "parameters/nearest_name.hpp"
 
@@ -342,8 +342,6 @@ class DistributionReader {
       read.least = std::max(read.least, quantity_.min);
       read.most = std::min(read.most, quantity_.max);
       return read;
-    } catch (const MissingLibrary& missing) {
-      refuse("", missing.what());
     } catch (const std::invalid_argument& problem) {
       refuse("", problem.what());
     }
