@@ -105,6 +105,7 @@ function profile_words(campaign) {
 function glance() {
   const done = runs.filter((run) => run.status === "completed").length;
   const lost = runs.filter(failed).length;
+  const doubtful = runs.filter((run) => run.out_of_line).length;
   const now = runs.filter((run) => run.status === "running").length;
   const fact = (name, value) => el("div", {}, el("dt", {}, name), el("dd", {}, value));
   const seconds = d3.sum(runs, (run) => run.wall_s || 0);
@@ -112,6 +113,7 @@ function glance() {
   put(facts,
     fact("completed", `${done} of ${runs.length}`),
     lost ? fact("failed", String(lost)) : null,
+    doubtful ? fact("completed, out of line", String(doubtful)) : null,
     now ? fact("running", String(now)) : null,
     done + lost + now < runs.length ? fact("still to run", String(runs.length - done - lost - now)) : null,
     fact("uncertain inputs", String(data.parameters.length)),

@@ -74,6 +74,18 @@ TEST_F(Glance, NamesTheDesignsLargestEffect) {
   }
 }
 
+TEST_F(Glance, CountsRunsOutOfLine) {
+  auto campaign = run_made_up(sand_study(folder));
+  said(campaign);
+  EXPECT_EQ(text("#glance").find("out of line"), std::string::npos);
+  campaign.realizations[2].out_of_line = campaign.realizations[4].out_of_line = "energy error -18 %";
+  said(campaign);
+  EXPECT_NE(text("#glance").find("completed, out of line"), std::string::npos) << text("#glance");
+  EXPECT_EQ(value("[...document.querySelectorAll('#glance dt')].find((dt) => dt.textContent === "
+                  "'completed, out of line').nextElementSibling.textContent"),
+            "2");
+}
+
 TEST_F(Glance, SaysWhatAPropagationFinds) {
   const auto campaign = run_made_up_design(folder / "study.toml", "kind = \"propagation\"\nruns = 40");
   const auto effects = results::design_effects(campaign);
