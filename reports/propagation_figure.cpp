@@ -31,13 +31,11 @@ constexpr std::array<std::pair<std::string_view, double>, 5> quantiles = {{{"qua
                                                                            {"quantile_95", 95.0}}};
 
 // Averages of the design's runs [kPa], ascending.
-std::vector<double> averages(const Snapshot& s, const std::string& window) {
+std::vector<double> averages(const Snapshot& s, const Effects& effects, const std::string& window) {
   std::vector<double> found;
-  for (const results::RealizationRow& run : s.realizations) {
-    if (!run.completed() || !run.parameter.starts_with("propagation ")) continue;
+  for (const int run : effects.runs)
     for (const results::WindowMeanRow& mean : s.window_means)
-      if (mean.realization == run.id && mean.window == window) found.push_back(mean.q_c_mean_kPa);
-  }
+      if (mean.realization == run && mean.window == window) found.push_back(mean.q_c_mean_kPa);
   std::ranges::sort(found);
   return found;
 }
@@ -69,7 +67,7 @@ std::string with_interval(const EffectRow& row) {
 
 std::optional<std::string> propagation_figure(const Snapshot& campaign, const Effects& effects,
                                               const results::WindowRow& window, Place place) {
-  const std::vector<double> sorted = averages(campaign, window.name);
+  const std::vector<double> sorted = averages(campaign, effects, window.name);
   const EffectRow* mean = row_of(effects, window.name, "mean");
   const EffectRow* deviation = row_of(effects, window.name, "standard_deviation");
   if (sorted.size() < 2 || mean == nullptr || deviation == nullptr) return std::nullopt;

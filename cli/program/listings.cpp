@@ -141,7 +141,8 @@ Table outcomes(bool) {
        "the stress integration or the motion broke down, mass changed, or 2 % of the cells lost their "
        "points"},
       {Status::energy_drift,
-       "kinetic energy above half of the penetrometer's work, after 20 mm: no slow push; energy_error ends "
+       "kinetic energy above half of the penetrometer's work, after 20 mm (of a cone of 25.3 mm): no slow "
+       "push; energy_error ends "
        "none"},
       {Status::time_limit, "wall-clock limit, or no step for too long"},
       {Status::invalid_parameters, "the inputs describe no possible model"},
@@ -158,33 +159,24 @@ std::string heading(const parameters::KeyTable& table) {
   return table.list ? fmt::format("[[{}]]", table.name) : fmt::format("[{}]", table.name);
 }
 
-Table keys(std::span<const parameters::KeyTable> tables) {
-  Table rows{{"section", "key", "values", "without it", "meaning"}, {}};
+std::string kind_name(const parameters::KeyTable& kind) { return std::string(kind.name); }
+
+Table keys(std::span<const parameters::KeyTable> tables, const char* what = "section",
+           std::string (*name)(const parameters::KeyTable&) = heading) {
+  Table rows{{what, "key", "values", "without it", "meaning"}, {}};
   for (const parameters::KeyTable& table : tables) {
     if (!table.name.empty())
       rows.rows.push_back(
-          {heading(table), std::string(), std::string(), std::string(), std::string(table.meaning)});
+          {name(table), std::string(), std::string(), std::string(), std::string(table.meaning)});
     for (const parameters::Key& key : table.keys)
-      rows.rows.push_back({heading(table), std::string(key.name), values_of(key), std::string(key.usually),
+      rows.rows.push_back({name(table), std::string(key.name), values_of(key), std::string(key.usually),
                            std::string(key.meaning)});
   }
   return rows;
 }
 
 Table study_keys(bool) { return keys(parameters::study_keys()); }
-
-Table distributions(bool) {
-  Table table{{"kind", "key", "values", "without it", "meaning"}, {}};
-  for (const parameters::KeyTable& kind : parameters::distribution_kinds()) {
-    const std::string name(kind.name);
-    table.rows.push_back({name, std::string(), std::string(), std::string(), std::string(kind.meaning)});
-    for (const parameters::Key& key : kind.keys)
-      table.rows.push_back(
-          {name, std::string(key.name), values_of(key), std::string(key.usually), std::string(key.meaning)});
-  }
-  return table;
-}
-
+Table distributions(bool) { return keys(parameters::distribution_kinds(), "kind", kind_name); }
 Table request_keys(bool) { return keys(diagnosis::request_keys()); }
 
 Table exit_codes(bool) {

@@ -1,5 +1,6 @@
-// OpenTURNS, behind a module of its own that is loaded when first asked for: it takes a tenth of a second to
-// start, which no realization's process is to pay, and a build without it lacks this module and nothing else.
+// OpenTURNS, behind a module of its own that is loaded when first asked for: it takes two tenths of a second
+// of CPU to start, which no realization's process is to pay, and a build without it lacks this module and
+// nothing else.
 #pragma once
 
 #include <memory>

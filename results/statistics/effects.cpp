@@ -80,6 +80,8 @@ Effects design_effects(const Snapshot& s) {
   // The runs of a diagnosis are not those that its study's text asks for.
   if (std::all_of(runs.begin(), runs.end(), [](const auto* run) { return run == nullptr; })) return effects;
   effects.design = study.design.kind;
+  for (const RealizationRow* run : runs)
+    if (run != nullptr) effects.runs.push_back(run->id);
   const auto estimator = std::ranges::find(estimators, effects.design, &Estimator::design);
   if (estimator == estimators.end()) return effects;
   for (const WindowRow& row : s.windows) {

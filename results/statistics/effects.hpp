@@ -24,8 +24,9 @@ struct EffectRow {
 
 struct Effects {
   std::string design = "one_at_a_time";  ///< its kind
-  std::vector<EffectRow> rows;           ///< by window, quantity, then parameter in the design's order
-  std::string problem;                   ///< why the stored study cannot be read; empty if it can
+  std::vector<int> runs;        ///< the design's realizations in its order, as far as the ledger has them
+  std::vector<EffectRow> rows;  ///< by window, quantity, then parameter in the design's order
+  std::string problem;          ///< why the stored study cannot be read; empty if it can
 };
 
 /// "3 of 4 repeats so far"; empty once none is to come.

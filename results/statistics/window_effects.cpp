@@ -43,8 +43,9 @@ WindowEffects::WindowEffects(const parameters::Study& of, const Snapshot& stored
       y(static_cast<Eigen::Index>(k)) = mean.at(runs[k]->id);
   note = window.problem.empty() ? missing_runs(runs) : "undefined: " + window.problem;
   constant = window.problem.empty() && parameters::is_constant(y);
-  if (constant) prepend(parameters::does_not_vary);
   if (const std::string lies = runs_out_of_line(runs); !lies.empty()) append(lies);
+  remarks = note;
+  if (constant) prepend(parameters::does_not_vary);
 }
 
 void WindowEffects::prepend(std::string_view words) {

@@ -34,7 +34,8 @@ struct WindowEffects {
   std::vector<EffectRow>& rows;
   Eigen::VectorXd y;      // [kPa] average q_c of each run; NaN where there is none
   bool constant = false;  ///< the result does not vary
-  std::string note;       ///< of every row
+  std::string remarks;    ///< runs that are missing or out of line
+  std::string note;       ///< of every row: these, and that an index of a constant result is undefined
 
   void prepend(std::string_view words);
   void append(std::string_view words);

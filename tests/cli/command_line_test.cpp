@@ -78,6 +78,8 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
       {{"recording", "a.csv", "--area-quotient", "1.5"}, "--area-quotient 1.5: must be 0.01 to 1"},
       {{"element", "triaxial", "--set", "sand.Hh=3"}, "did you mean sand.H?"},
       {{"element", "triaxial", "--set", "sand.H"}, "must be NAME=VALUE"},
+      {{"element", "triaxial", "--material", "mohr_coulomb", "--set", "mohr_coulomb.phi_deg=2"},
+       "mohr_coulomb.psi_deg: mohr_coulomb.psi_deg = 3 must be at most mohr_coulomb.phi_deg = 2"},
       {{"element", "triaxial", "--set", "sand.H=much"}, "not a number"},
       {{"element", "triaxial", "--set", "sand.nu=0.7"}, "must be 0 to 0.45"},
       {{"element", "triaxial", "--set", "clay.s_u_kPa=20"}, "only quantities named sand."},

@@ -200,8 +200,11 @@ TEST_F(Report, ShowsWhatTheDesignSays) {
   }
 }
 
+// A point of the study that is called like its runs is none of them.
 TEST_F(Report, ShowsHowAPropagationIsDistributed) {
-  const auto campaign = run_made_up_design(folder / "study.toml", "kind = \"propagation\"\nruns = 40");
+  const auto campaign = run_made_up_design(
+      folder / "study.toml",
+      "kind = \"propagation\"\nruns = 40\n[[points]]\nname = \"propagation by hand\"\nsand.H = 60");
   write_report(campaign, folder / "report");
   const std::string svg = read(folder / "report" / "effects_deep.svg");
   const auto effects = results::design_effects(campaign);

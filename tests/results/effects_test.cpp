@@ -204,6 +204,17 @@ TEST_F(EffectsOf, PropagationTellsWhatTheResultIsWorth) {
   }
 }
 
+// A constant result has a mean, and no index that would be undefined.
+TEST_F(EffectsOf, PropagationOfAConstantResultIsItsValue) {
+  Snapshot snapshot = run("[design]\nkind = \"propagation\"\nruns = 40\n");
+  for (WindowMeanRow& mean : snapshot.window_means) mean.q_c_mean_kPa = 815.15;
+  const Effects effects = design_effects(snapshot);
+  EXPECT_EQ(effects.runs.size(), 40U);
+  EXPECT_NEAR(row(effects, "mean", "").value, 815.15, 1e-9);
+  EXPECT_NEAR(row(effects, "standard_deviation", "").value, 0.0, 1e-9);
+  for (const EffectRow& of : effects.rows) EXPECT_EQ(of.note, "");
+}
+
 // Every design of results that are the same but for their last digits: no number, and the reason.
 TEST_F(EffectsOf, ResultsThatDoNotVaryAreUndefined) {
   for (const char* kind : {"pairs", "morris", "latin_hypercube", "sobol"}) {

@@ -28,6 +28,10 @@ std::string cell(std::optional<double> ratio) { return ratio ? percent(*ratio) :
 
 std::string sentence(const NumericsStudy& study, std::string_view window, const std::string& symbol,
                      const SystematicError& error) {
+  constexpr double shown = 0.0005;  // what rounds to 0.0 %
+  if (error.together < shown)
+    return fmt::format("- {}, window {}: the resolution does not move {}.\n", study.campaign.campaign.title,
+                       window, symbol);
   std::string text = fmt::format("- {}, window {}: the resolution moves {} by {} together",
                                  study.campaign.campaign.title, window, symbol, percent(error.together));
   if (error.chance)

@@ -37,7 +37,7 @@ void add_propagation_effects(WindowEffects& w) {
   for (const Number& number : numbers) {
     const auto estimate = parameters::by_sections(w.y, number.least, number.of);
     w.rows.push_back({w.window.name, "", "", std::string(number.name), "kPa", estimate.value, estimate.lower,
-                      estimate.upper, used, dropped, w.note});
+                      estimate.upper, used, dropped, w.remarks});
   }
 }
 

@@ -74,6 +74,16 @@ TEST(ElementTest, VoidRatioAndVolumetricStrainAgree) {
   for (const ElementRow& row : result.rows) EXPECT_NEAR(row.e, 1.76832 * std::exp(-row.eps_v) - 1.0, 1e-9);
 }
 
+TEST(ElementTest, EndsWhereNoVoidsAreLeft) {
+  ElementTest test;
+  test.path = ElementPath::isotropic;
+  test.max_axial_strain = 0.5;
+  const ElementResult result = run_element_test(test);
+  EXPECT_NE(result.problem.find("no voids are left"), std::string::npos) << result.problem;
+  ASSERT_GT(result.rows.size(), 2u);
+  for (const ElementRow& row : result.rows) EXPECT_GT(row.e, 0.0);
+}
+
 TEST(ElementTest, SaysWhatIsWrong) {
   ElementTest test;
   test.sigma_r = 0.0;
