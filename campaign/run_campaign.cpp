@@ -21,6 +21,8 @@
 #include "results/ledger/curve_store.hpp"
 #include "results/ledger/ledger.hpp"
 #include "results/push/checkpoint.hpp"
+#include "results/statistics/propagation_stop.hpp"
+#include "results/statistics/stored_design.hpp"
 
 namespace cpt::campaign {
 namespace {
@@ -105,6 +107,7 @@ class Master {
     Napping napping;
     int signal = 0;
     mirror_curves(results::sync_curves);
+    look_for_enough();
     while (!scheduler_.done() && (signal = stop_signal()) == 0) try {
         look_around(napping);
       } catch (const results::Busy&) {
@@ -112,6 +115,7 @@ class Master {
           throw;  // else the wait for the database was broken off, and all ends in order
       }
     if (signal != 0) wind_up(signal);
+    write_effects();
     commit();
     if (curves_.stale()) mirror_curves(results::write_curves);
     if (signal != 0 && page_shown_) write_page(false);
@@ -134,6 +138,7 @@ class Master {
     if (!busy || now > oldest_ + longest_group) commit();
     if (curves_.due(now, ended())) mirror_curves(results::write_curves);
     if (page_due(now)) write_page(true);
+    if (looks_.due(now, ended())) look_for_enough();
     if (!scheduler_.done()) nap(napping.next(busy, now, transport_.longest_nap()));
   }
 
@@ -320,6 +325,7 @@ class Master {
     if (!ended_.empty()) {
       curves_.news();
       page_.news();
+      looks_.news();
     }
     for (const int id : ended_) awaited_.erase(id);
     news_.clear();
@@ -342,6 +348,34 @@ class Master {
       curves_problem_ = problem.what();
     }
     curves_.wrote(start, monotonic_seconds(), ended());
+  }
+
+  // A design with a rule to stop: once its first runs suffice, those behind them are not needed. What has
+  // been handed out ends; the design's numbers are of the runs that sufficed alone, so that they do not
+  // depend on when somebody looked.
+  void look_for_enough() {
+    if (!study_.design.until || scheduler_.tally().pending == 0) return;
+    commit();
+    const double start = monotonic_seconds();
+    const results::Snapshot stored = results::read_snapshot(study_.database);
+    const results::StoredDesign design = results::stored_design(stored);
+    looks_.wrote(start, monotonic_seconds(), ended());
+    if (!design.enough) return;
+    const std::vector<int> dropped = scheduler_.drop(results::ids_beyond(study_, *design.enough));
+    if (dropped.empty()) return;
+    {
+      const Timed timed(time_.database);
+      ledger_.mark_not_needed(dropped);
+    }
+    commit();
+    display_.note(design.stopped);
+  }
+
+  // The ledger is whole without it, so a signal that comes meanwhile or a lock that stays loses nothing.
+  void write_effects() try {
+    const Timed timed(time_.database);
+    ledger_.write_effects();
+  } catch (const results::Busy&) {
   }
 
   // The first page once there is something to see.
@@ -434,6 +468,7 @@ class Master {
       [this](const auto& database, double seconds) { return waits_for_database(database, seconds); }};
   Pace curves_{mirror_share, usual_cost};
   Pace page_{page_share, usual_cost};
+  Pace looks_{page_share, usual_cost};
   std::set<int> awaited_;  // realizations that the first page waits for
   bool page_shown_ = false;
   bool page_warned_ = false;

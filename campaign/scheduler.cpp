@@ -78,6 +78,13 @@ void Scheduler::give_up(int realization) {
   ++failed_;
 }
 
+std::vector<int> Scheduler::drop(std::span<const int> realizations) {
+  std::vector<int> dropped;
+  for (const int realization : realizations)
+    if (std::erase(pending_, realization) > 0) dropped.push_back(realization);
+  return dropped;
+}
+
 Tally Scheduler::tally() const {
   return {static_cast<int>(pending_.size()), static_cast<int>(running_.size()), finished_, failed_};
 }

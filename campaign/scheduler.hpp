@@ -50,6 +50,9 @@ class Scheduler {
   /// A pending realization is given up, for instance after several ranks were lost with it.
   void give_up(int realization);
 
+  /// Pending realizations that are not to be run after all; returns those that were still pending.
+  std::vector<int> drop(std::span<const int> realizations);
+
   [[nodiscard]] Tally tally() const;
   [[nodiscard]] bool done() const { return pending_.empty() && running_.empty(); }
   [[nodiscard]] int slots() const;

@@ -76,11 +76,12 @@ void Svg::polyline(std::span<const Point> points, const Pen& pen) {
                  path, stroke(pen));
 }
 
-void Svg::polygon(std::span<const Point> corners, std::string_view fill) {
+void Svg::polygon(std::span<const Point> corners, std::string_view fill, double opacity) {
   std::string points;
   for (const Point& p : corners)
     fmt::format_to(std::back_inserter(points), "{},{} ", length(p.x), length(p.y));
-  fmt::format_to(std::back_inserter(body_), "<polygon points=\"{}\" fill=\"{}\"/>\n", points, paint(fill));
+  fmt::format_to(std::back_inserter(body_), "<polygon points=\"{}\" fill=\"{}\"{}/>\n", points, paint(fill),
+                 opacity < 1.0 ? fmt::format(" fill-opacity=\"{}\"", length(opacity)) : "");
 }
 
 void Svg::image(const Box& box, std::string_view uri) {

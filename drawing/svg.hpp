@@ -50,7 +50,7 @@ class Svg {
   void circle(Point centre, double radius, std::string_view fill, const Pen& outline);
   /// Points that are not finite break the line.
   void polyline(std::span<const Point> points, const Pen& pen);
-  void polygon(std::span<const Point> corners, std::string_view fill);
+  void polygon(std::span<const Point> corners, std::string_view fill, double opacity = 1.0);
   /// A picture as png_uri() gives it, its pixels as hard squares.
   void image(const Box& box, std::string_view uri);
   /// `at` is on the base line.

@@ -53,6 +53,7 @@ void draw(Svg& svg, const Box& box, const XyPlot& plot) {
     }
   };
   for (const XyCurve& curve : plot.curves) take(curve.points);
+  for (const XyFill& fill : plot.fills) take(fill.below), take(fill.above);
   take(plot.room);
   if (!(x.low <= x.high)) return;
   const bool marked = std::ranges::any_of(plot.curves, [](const XyCurve& c) { return c.mark > 0.0; });
@@ -68,9 +69,19 @@ void draw(Svg& svg, const Box& box, const XyPlot& plot) {
   draw_vertical(svg, box, vertical, plot.y_title, plot.y_ticks);
 
   svg.begin_clip(box);
-  for (const XyCurve& curve : plot.curves) {
+  const auto on_paper = [&](const std::vector<Point>& data) {
     std::vector<Point> points;
-    for (const Point& point : curve.points) points.push_back({horizontal(x_of(point)), vertical(point.y)});
+    for (const Point& point : data) points.push_back({horizontal(x_of(point)), vertical(point.y)});
+    return points;
+  };
+  for (const XyFill& fill : plot.fills) {
+    std::vector<Point> around = on_paper(fill.below);
+    const std::vector<Point> back = on_paper(fill.above);
+    around.insert(around.end(), back.rbegin(), back.rend());
+    svg.polygon(around, fill.color, fill.opacity);
+  }
+  for (const XyCurve& curve : plot.curves) {
+    const std::vector<Point> points = on_paper(curve.points);
     if (curve.mark > 0.0)
       for (const Point& point : points)
         svg.circle(point, curve.mark, curve.pen.color, {palette::ink, 0.4, {}});

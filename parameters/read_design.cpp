@@ -57,6 +57,8 @@ class DesignReader {
     design_.kind = *kind;
     sound = read_parameters() && sound;
     for (const Number& number : number_keys) sound = read_number(number) && sound;
+    sound = read_sampling() && sound;
+    sound = read_until() && sound;
     sound = sound && growth();
     return sound && affordable() ? design_ : Design();
   }
@@ -157,6 +159,55 @@ class DesignReader {
       return false;
     }
     number.set(design_, value);
+    return true;
+  }
+
+  bool belongs_to_propagation(const Member& member) {
+    if (kind_->propagates) return true;
+    refuse(member, fmt::format("means nothing to {}; it belongs to propagation", kind_->name));
+    return false;
+  }
+
+  bool read_sampling() {
+    const Member* member = table_.find("sampling");
+    if (member == nullptr) return true;
+    if (!belongs_to_propagation(*member)) return false;
+    const auto name = name_field(table_, "design", "sampling", false,
+                                 key_named(study_keys(), "design", "sampling").choices, errors_);
+    design_.latin = name == "latin_hypercube";
+    return name.has_value();
+  }
+
+  // The numbers of runs that a rule may stop at depend on it; without `runs` they are the most that a study
+  // may have without being told.
+  bool read_until() {
+    const Member* member = table_.find("until");
+    if (member == nullptr) return true;
+    if (!belongs_to_propagation(*member)) return false;
+    if (member->value.kind != Value::Kind::table) {
+      refuse(*member, fmt::format("must be a table, not {}", to_string(member->value.kind)),
+             "such as until = { quantile = 0.95, half_width_percent = 3 }");
+      return false;
+    }
+    constexpr std::array<std::string_view, 2> known = {"quantile", "half_width_percent"};
+    const std::string key = "design.until";
+    StopRule rule;
+    bool sound = refuse_unknown_keys(member->value, key, known, errors_);
+    const auto within = [&](std::string_view name, bool required, double most) -> std::optional<double> {
+      const auto value = number_field(member->value, key, name, required, errors_);
+      sound = sound && (value || (!required && member->value.find(name) == nullptr));
+      if (!value || (*value > 0.0 && *value < most)) return value;
+      errors_.add(member->value.find(name)->value.place, joined(key, name),
+                  fmt::format("{} must be above 0 and below {}", *value, most));
+      sound = false;
+      return std::nullopt;
+    };
+    if (const auto quantile = within("quantile", false, 1.0)) rule.quantile = *quantile;
+    if (const auto percent = within("half_width_percent", true, 100.0)) rule.half_width = 0.01 * *percent;
+    if (!sound) return false;
+    design_.until = rule;
+    constexpr int most_untold = 1000;
+    if (table_.find("runs") == nullptr) design_.runs = most_untold;
     return true;
   }
 

@@ -118,6 +118,7 @@ class QuantitiesReader {
       : setup_(setup), doubts_(doubts), errors_(errors) {}
 
   QuantitySections read(const Value& root) {
+    root_ = &root;
     if (const Value* table = section(root, "fixed", errors_)) read_settings(*table, "fixed", {});
     if (const Value* table = section(root, "parameters", errors_))
       for (const Named& named : named_quantities(*table, "parameters", {}))
@@ -278,7 +279,8 @@ class QuantitiesReader {
   std::optional<Distribution> read_row_distribution(const Named& named, const Member& member,
                                                     const Bound& alternative) {
     if (alternative.member == nullptr)
-      return read_distribution(member.value, *named.quantity, joined(named.key, "distribution"), errors_);
+      return read_distribution(member.value, *named.quantity, joined(named.key, "distribution"), *root_,
+                               errors_);
     errors_.add(alternative.member->place, joined(named.key, "alternative"),
                 "cannot stand beside a distribution",
                 "give the values and their weights: distribution = { kind = \"discrete\", values = [...] }");
@@ -335,6 +337,7 @@ class QuantitiesReader {
   const solver::Setup& setup_;
   const SoilDoubts& doubts_;
   ErrorList& errors_;
+  const Value* root_ = nullptr;
   QuantitySections sections_;
   std::map<const Quantity*, std::pair<std::string, Place>> first_;
   bool library_told_ = false;  // that OpenTURNS is missing, of the first distribution alone

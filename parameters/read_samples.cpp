@@ -21,10 +21,10 @@ namespace cpt::parameters {
 namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<std::string_view, 9> statuses = {
+constexpr std::array<std::string_view, 10> statuses = {
     "pending",      "running",    "completed",          "did_not_converge",
     "energy_drift", "time_limit", "invalid_parameters", "crashed",
-    "rank_lost"};
+    "rank_lost",    "not_needed"};
 constexpr std::array<std::string_view, 3> not_read = {"interface", "interface_id", "realization"};
 
 constexpr std::array<std::pair<std::string_view, double WindowResponse::*>, 3> parts = {

@@ -25,6 +25,8 @@
 namespace cpt::parameters {
 namespace {
 
+constexpr std::size_t most_thresholds = 20;
+
 class StudyReader {
  public:
   StudyReader(const Value& root, std::filesystem::path file, ErrorList& errors)
@@ -331,6 +333,7 @@ class StudyReader {
       sound = false;
     }
     sound = (table.find("centre") ? read_centred(table, window) : read_interval(table, window)) && sound;
+    sound = read_thresholds(table, window) && sound;
     if (!sound) return;
     study_.windows.push_back(window);
     places_.windows.push_back(table.place);
@@ -390,6 +393,28 @@ class StudyReader {
     window.from = *from;
     window.to = *to;
     return ordered(*from, *to, between->value.place, "windows.between_m");
+  }
+
+  bool read_thresholds(const Value& table, Window& window) {
+    const Member* member = table.find("thresholds_kPa");
+    if (member == nullptr) return true;
+    const std::string key = "windows.thresholds_kPa";
+    const Value& list = member->value;
+    if (list.kind != Value::Kind::array || list.items.empty() || list.items.size() > most_thresholds) {
+      errors_.add(list.place, key, fmt::format("must be an array of 1 to {} numbers", most_thresholds),
+                  "such as thresholds_kPa = [2000, 3000]");
+      return false;
+    }
+    for (const Value& item : list.items) {
+      const auto value = finite_number(item, key, errors_);
+      if (!value) return false;
+      if (!window.thresholds.empty() && *value * 1e3 <= window.thresholds.back()) {
+        errors_.add(item.place, key, fmt::format("{} is not above the one before it", *value));
+        return false;
+      }
+      window.thresholds.push_back(*value * 1e3);
+    }
+    return true;
   }
 
   bool refuse_fields(const Value& table, std::initializer_list<std::string_view> keys,

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,17 +46,27 @@ struct DesignPoint {
   bool repeat = false;
 };
 
+/// When a design that grows by itself has enough runs: the 95 % interval's half width of a number of every
+/// window's average is at most this share of the number.
+struct StopRule {
+  double quantile = std::numeric_limits<double>::quiet_NaN();  ///< the number; NaN: the mean
+  double half_width = 0.0;                                     ///< [-] above 0
+  bool operator==(const StopRule&) const = default;
+};
+
 /// What the section [design] adds to the one-at-a-time runs; its runs are made by designs/design.hpp.
 struct Design {
   std::string kind = "one_at_a_time";  ///< one of design_kinds()
   std::vector<std::size_t> rows;       ///< that vary together: indices into Study::rows
   int runs = 0;                        ///< latin_hypercube: runs; sobol: rows of the samples A and B
-  int first_runs = 0;           ///< latin_hypercube: runs that it had before it grew; 0: it did not grow
-  int trajectories = 0;         ///< morris
-  int levels = 0;               ///< morris: of its grid, even
-  std::uint64_t seed = 1;       ///< of its points and of its bootstrap
-  std::size_t first_point = 0;  ///< of its own among Study::points
-  std::size_t points = 0;       ///< its own; fewer than its runs where the study has some of them already
+  int first_runs = 0;      ///< latin_hypercube: runs that it had before it grew; 0: it did not grow
+  int trajectories = 0;    ///< morris
+  int levels = 0;          ///< morris: of its grid, even
+  std::uint64_t seed = 1;  ///< of its points and of its bootstrap
+  bool latin = false;      ///< propagation: sections of Latin hypercubes, not of Sobol' points
+  std::optional<StopRule> until = {};  ///< propagation: `runs` are the most
+  std::size_t first_point = 0;         ///< of its own among Study::points
+  std::size_t points = 0;  ///< its own; fewer than its runs where the study has some of them already
 };
 
 /// Depth interval over which q_c is averaged.
@@ -65,6 +77,7 @@ struct Window {
   double from = 0.0;   // [m] fixed: interval; peak/trough: where to look for it in the baseline's profile
   double to = 0.0;     // [m]
   double width = 0.0;  // [m] peak/trough: width of the interval centred on it
+  std::vector<double> thresholds = {};  // [Pa] average q_c whose exceedance is asked for, rising
 };
 
 struct Study {

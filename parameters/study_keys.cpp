@@ -83,7 +83,18 @@ std::vector<KeyTable> listed_tables() {
         {"levels", "even number", "4", "morris: levels of its grid", 2.0, 20.0},
         {"seed", "whole number", "1", "of its points and of its bootstrap; not for pairs", 0.0, 1e15},
         {"parameters", "array of names", "all rows; of pairs the first four",
-         "rows of [parameters] that vary together"}}},
+         "rows of [parameters] that vary together"},
+        {"sampling",
+         "text",
+         "low_discrepancy",
+         "propagation: Sobol' points with random shifts, or Latin hypercubes of ten runs each",
+         least,
+         most,
+         {"low_discrepancy", "latin_hypercube"}},
+        {"until", "{ quantile = P, half_width_percent = X }", "none",
+         "propagation: ends, at most after `runs` (without it 1000), once the 95 % interval of that "
+         "quantile, without one "
+         "of the mean, is at most X % to either side in every window"}}},
       {"correlation",
        false,
        "rank correlations of rows with distributions that [design] draws together: \"NAME\" = { \"OTHER\" = "
@@ -104,7 +115,15 @@ std::vector<KeyTable> listed_tables() {
          {"baseline_peak", "baseline_trough"}},
         {"between_m", "array of two numbers", "required with centre",
          "depths between which the extreme is looked for [m]"},
-        {"width_m", "number above 0", "required with centre", "width of the interval [m]"}}},
+        {"width_m", "number above 0", "required with centre", "width of the interval [m]"},
+        {"thresholds_kPa", "array of numbers, rising", "none",
+         "average q_c: propagation tells the probability that it is exceeded"}}},
+      {"data",
+       false,
+       "columns of CSV files that empirical distributions are made of, so that the study is whole without "
+       "them; the "
+       "database's copy of the study has it: [data.\"FILE.csv\"], COLUMN = [numbers]",
+       {}},
       {"layers",
        true,
        "a layer in place of the profile's; all of them, from the top, without gaps",

@@ -74,7 +74,26 @@ std::vector<NamedFigure> window_figures(const results::Snapshot& campaign, const
        fmt::format("What the design {} says of window {}. {}", design, window.name,
                    effects_legend_words(effects.design)),
        effects.design == "propagation" ? propagation_figure(campaign, effects, window, place)
-                                       : effects_figure(campaign, effects, window, place)}};
+                                       : effects_figure(campaign, effects, window, place)},
+      {"convergence_" + part,
+       fmt::format(
+           "Mean, 5 and 95 % quantile of the average cone resistance in window {} as the first runs alone "
+           "have them, with 95 % intervals.",
+           window.name),
+       propagation_convergence_figure(campaign, effects, window, place)}};
+}
+
+std::vector<NamedFigure> band_figures(const results::Snapshot& campaign, const results::Effects& effects,
+                                      Place place) {
+  std::vector<NamedFigure> figures;
+  for (const solver::Channel& channel : solver::channels())
+    figures.push_back(
+        {fmt::format("bands_{}", channel.name),
+         fmt::format("The {} over depth with inputs drawn from their distributions: median, mean, "
+                     "and where half and nine tenths of the runs lie at each depth.",
+                     channel.title),
+         bands_figure(campaign, effects, channel, place)});
+  return figures;
 }
 
 void make_directory(const fs::path& directory) { results::make_folder(directory); }
@@ -89,6 +108,7 @@ std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign, con
     for (NamedFigure& figure :
          window_figures(campaign, effects, window, file_part(window.name, taken), column))
       figures.push_back(std::move(figure));
+  for (NamedFigure& figure : band_figures(campaign, effects, column)) figures.push_back(std::move(figure));
   figures.push_back({"profiles",
                      "Cone resistance of all realizations; those furthest from the baseline in a window are "
                      "told apart.",

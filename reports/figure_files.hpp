@@ -25,7 +25,11 @@ struct NamedFigure {
                                                       const results::WindowRow& window,
                                                       const std::string& part, Place place);
 
-/// Those of every window, profiles, baseline.
+/// Of a design propagation the bands of every channel.
+[[nodiscard]] std::vector<NamedFigure> band_figures(const results::Snapshot& campaign,
+                                                    const results::Effects& effects, Place place);
+
+/// Those of every window, the bands, profiles, baseline.
 [[nodiscard]] std::vector<NamedFigure> campaign_figures(
     const results::Snapshot& campaign, const results::Effects& effects = {},
     drawing::Column column = drawing::Column::one_and_half);

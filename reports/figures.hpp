@@ -10,6 +10,7 @@
 #include "reports/place.hpp"
 #include "results/ledger/snapshot.hpp"
 #include "results/statistics/effects.hpp"
+#include "solver/channels.hpp"
 
 namespace cpt::reports {
 
@@ -36,6 +37,17 @@ namespace cpt::reports {
                                                             const results::Effects& effects,
                                                             const results::WindowRow& window,
                                                             Place place = {});
+/// Of a design `propagation`: mean, 5 and 95 % quantile as the first runs alone have them, with their
+/// intervals. Nothing with fewer than two numbers of runs.
+[[nodiscard]] std::optional<std::string> propagation_convergence_figure(const results::Snapshot& campaign,
+                                                                        const results::Effects& effects,
+                                                                        const results::WindowRow& window,
+                                                                        Place place = {});
+/// Of a design `propagation`: a channel's median and mean over depth, with the bands that hold half and nine
+/// tenths of the runs at each depth. Nothing where the channel was not recorded.
+[[nodiscard]] std::optional<std::string> bands_figure(const results::Snapshot& campaign,
+                                                      const results::Effects& effects,
+                                                      const solver::Channel& channel, Place place = {});
 /// What its bars and circles are, in a sentence.
 [[nodiscard]] std::string effects_legend_words(std::string_view design);
 

@@ -114,16 +114,16 @@ Rich window_line(const results::WindowRow& window, const Rich& what, double figu
 
 bool all_completed(const Snapshot& campaign) {
   return std::all_of(campaign.realizations.begin(), campaign.realizations.end(),
-                     [](const RealizationRow& r) { return r.completed(); });
+                     [](const RealizationRow& r) { return r.completed() || r.not_needed(); });
 }
 
 std::string state_of(const Snapshot& campaign) {
   const auto count = [&](auto has) {
     return std::count_if(campaign.realizations.begin(), campaign.realizations.end(), has);
   };
-  std::string text =
-      fmt::format("{} of {} realizations completed",
-                  count([](const RealizationRow& r) { return r.completed(); }), campaign.realizations.size());
+  std::string text = fmt::format("{} of {} realizations completed",
+                                 count([](const RealizationRow& r) { return r.completed(); }),
+                                 count([](const RealizationRow& r) { return !r.not_needed(); }));
   if (const auto failed = count([](const RealizationRow& r) { return r.failed(); }); failed > 0)
     text += fmt::format(", {} failed", failed);
   if (const auto waiting = count([](const RealizationRow& r) { return r.waiting(); }); waiting > 0)

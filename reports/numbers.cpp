@@ -126,6 +126,7 @@ std::string report_json(const Snapshot& s, const results::Effects& effects) {
   all["repeat_noise"] = rows(repeat_noise_table(s));
   all["sensitivity"] = rows(sensitivity_table(s));
   all["design"] = effects.design;
+  all["stopped"] = effects.stopped;
   all["effects"] = rows(results::effects_table(effects));
   return all.dump(2) + "\n";
 }

@@ -123,6 +123,7 @@ std::string figures(const Snapshot& s, const PageContext& context) {
     for (const NamedFigure& figure :
          window_figures(s, context.effects, s.windows[k], std::to_string(k), place))
       add(figure);
+  for (const NamedFigure& figure : band_figures(s, context.effects, place)) add(figure);
   for (std::size_t k = 0; k < context.diagnoses.size(); ++k)
     add({fmt::format("probability_{}", k),
          "Probability of each hypothesis. Bold: the answer; framed: not ruled out, the set that holds the "

@@ -25,6 +25,7 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
   table("window_means.csv", window_mean_table(campaign));
   table("curves.csv", curve_table(campaign));
   if (!context.effects.rows.empty()) table("effects.csv", results::effects_table(context.effects));
+  if (!context.effects.bands.empty()) table("bands.csv", results::bands_table(context.effects));
   files.push_back(directory / "report.json");
   write_text(files.back(), report_json(campaign, context.effects));
   files.push_back(directory / "report.pdf");

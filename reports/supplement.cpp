@@ -208,7 +208,10 @@ void write_effects(Writer& out, const Snapshot& s, const results::Effects& effec
     if (!row.parameter.empty()) input = symbol_of(s, parameter_of(s, row.parameter));
     if (!row.other_parameter.empty())
       input = input + plain(" × ") + symbol_of(s, parameter_of(s, row.other_parameter));
-    out.row({input, plain(row.quantity), plain(number(row.value, 4)), plain(number(row.lower, 4)),
+    const std::string quantity = std::isfinite(row.threshold_kPa)
+                                     ? fmt::format("{} of {} kPa", row.quantity, number(row.threshold_kPa, 4))
+                                     : row.quantity;
+    out.row({input, plain(quantity), plain(number(row.value, 4)), plain(number(row.lower, 4)),
              plain(number(row.upper, 4)), plain(row.unit), plain(fmt::format("{}", row.used)),
              plain(fmt::format("{}", row.dropped)), plain(row.note)},
             widths);

@@ -5,8 +5,11 @@
 #include <fstream>
 
 #include "cli/common/input_kind.hpp"
+#include "cli/exchange/read_table.hpp"
 #include "parameters/all_realizations.hpp"
+#include "parameters/fields.hpp"
 #include "parameters/read_study.hpp"
+#include "parameters/study_data.hpp"
 
 namespace cpt::cli {
 namespace {
@@ -21,10 +24,25 @@ bool starts_as_database(const std::filesystem::path& file) {
   return start.starts_with("SQLite format 3");
 }
 
+// The columns of CSV files that the study's distributions are made of.
+std::string data_of(const std::string& study_text, const std::filesystem::path& file) {
+  std::string sections;
+  parameters::ErrorList errors(file.string());
+  for (const parameters::WantedFile& wanted : parameters::wanted_files(study_text)) try {
+      sections +=
+          parameters::data_section(read_table(file.parent_path() / wanted.file).table, wanted, errors);
+    } catch (const BadInput& problem) {
+      errors.add(wanted.place, "distribution.file", problem.what(), "paths start at the study's folder");
+    }
+  if (!errors.empty()) throw BadInput(parameters::format(errors.sorted()));
+  return sections;
+}
+
 }  // namespace
 
 StudyFile read_study_file(const std::filesystem::path& file) {
   std::string text = read_input(InputKind::study, file);
+  text += data_of(text, file);
   auto parsed = parameters::parse_study(text, file);
   if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
     throw BadInput(parameters::format(*errors));

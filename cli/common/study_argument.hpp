@@ -15,7 +15,7 @@ struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A study and the text it was read from.
+/// A study and the text it was read from, with the data that it takes from other files (section [data]).
 struct StudyFile {
   parameters::Study study;
   std::string text;

@@ -62,6 +62,8 @@ int query(const QueryArguments& arguments) {
   if (arguments.what == "effects" && table.rows.empty())
     throw BadInput(
         "the study has no [design]; of one-at-a-time runs, campaign query STUDY sensitivity tells");
+  if (arguments.what == "bands" && table.rows.empty())
+    throw BadInput("no bands: they come from the runs of a [design] with kind = \"propagation\"");
   fmt::print("{}", results::format(table, arguments.format));
   if (arguments.what == "sensitivity" || arguments.what == "tornado") tell_which_noise(ledger);
   // They have no rows: what is missing must not be missed.

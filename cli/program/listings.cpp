@@ -204,6 +204,8 @@ Table commands(bool) {
         "also `effects`, `realizations`, `windows`, `tornado`, `failures`, `sql`; as table, CSV or JSON"},
        {"campaign compare A B",
         "two campaigns side by side: averages, `sensitivity`, or the `settings` that differ"},
+       {"campaign combine DEAR CHEAP",
+        "what q_c of a dear preset is worth, from few of its runs and many of a cheap one (designs.md)"},
        {"campaign prune STUDY",
         "names finished results that the study no longer asks for, and removes them with --yes"},
        {"campaign export STUDY",

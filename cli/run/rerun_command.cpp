@@ -30,7 +30,7 @@ struct RerunArguments {
 results::StoredRun find_stored(const StudyFile& file, const solver::Setup& setup, int id) {
   const parameters::Study& study = file.study;
   auto stored = results::read_run(results::view_ledger(study, file.text).database, id);
-  if (!stored || stored->row.waiting())
+  if (!stored || !stored->row.ended())
     throw BadInput(
         fmt::format("{} holds no finished realization {}; run the study first", study.database.string(), id));
   if (stored->row.settings_hash != results::settings_hash(setup))

@@ -29,6 +29,8 @@ struct DesignKind {
   bool samples = false;
   /// Its rows may be correlated; its numbers do not take them for independent.
   bool dependent = false;
+  /// Knows the keys `sampling` and `until`.
+  bool propagates = false;
   /// Runs that it asks for, before any is made.
   long (*run_count)(const Design& design) = nullptr;
   /// Runs x Design::rows in the unit cube; NaN: left at its baseline. No function: it changes nothing

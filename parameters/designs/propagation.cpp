@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/sobol.hpp>
 #include <cmath>
 #include <vector>
+
+#include "parameters/designs/permutation.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -18,15 +21,30 @@ using Eigen::VectorXd;
 
 constexpr int fewest_sections = 5;  // that an interval rests on
 
-// Entries that are numbers; of one section, or of all (-1).
-VectorXd entries(const VectorXd& y, Index section) {
+// Entries that are numbers and belong to a section that `wanted` takes.
+template <class Wanted>
+VectorXd entries(const VectorXd& y, bool latin, Wanted wanted) {
   std::vector<double> found;
   for (Index i = 0; i < y.size(); ++i)
-    if (!std::isnan(y(i)) && (section < 0 || i % propagation_sections == section)) found.push_back(y(i));
+    if (!std::isnan(y(i)) && wanted(section_of(i, latin))) found.push_back(y(i));
   return Eigen::Map<const VectorXd>(found.data(), static_cast<Index>(found.size()));
+}
+VectorXd all_entries(const VectorXd& y) {
+  return entries(y, false, [](int) { return true; });
+}
+
+Estimate clopper_pearson(double above, double runs) {
+  using Binomial = boost::math::binomial_distribution<double>;
+  constexpr double tail = 0.025;
+  return {above / runs, Binomial::find_lower_bound_on_p(runs, above, tail),
+          Binomial::find_upper_bound_on_p(runs, above, tail)};
 }
 
 }  // namespace
+
+int section_of(Index run, bool latin) {
+  return static_cast<int>((latin ? run / latin_runs : run) % propagation_sections);
+}
 
 MatrixXd propagation_places(int parameters, int runs, std::uint64_t seed) {
   boost::random::mt19937_64 bits(seed);
@@ -49,15 +67,33 @@ MatrixXd propagation_places(int parameters, int runs, std::uint64_t seed) {
   return places;
 }
 
-Estimate by_sections(const VectorXd& y, int least, const std::function<double(const VectorXd&)>& number) {
-  const VectorXd all = entries(y, -1);
+// Each hypercube cuts the range of every input into ten equal intervals and goes once into each of them.
+MatrixXd latin_places(int parameters, int runs, std::uint64_t seed) {
+  boost::random::mt19937_64 bits(seed);
+  MatrixXd places(runs, parameters);
+  for (Index first = 0; first < runs; first += latin_runs)
+    for (Index j = 0; j < parameters; ++j) {
+      const std::vector<Index> order = permutation(latin_runs, bits);
+      for (Index k = 0; k < latin_runs; ++k) {
+        const double inside = (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52;
+        if (first + k < runs)
+          places(first + k, j) =
+              (static_cast<double>(order[static_cast<std::size_t>(k)]) + inside) / latin_runs;
+      }
+    }
+  return places;
+}
+
+Estimate by_sections(const VectorXd& y, int least, const std::function<double(const VectorXd&)>& number,
+                     bool latin) {
+  const VectorXd all = all_entries(y);
   if (all.size() == 0) return {};
   Estimate estimate;
   estimate.value = number(all);
   double squares = 0.0;
   int sections = 0;
-  for (Index section = 0; section < propagation_sections; ++section) {
-    const VectorXd own = entries(y, section);
+  for (int section = 0; section < propagation_sections; ++section) {
+    const VectorXd own = entries(y, latin, [&](int of) { return of == section; });
     if (own.size() < least) continue;
     squares += std::pow(number(own) - estimate.value, 2);
     ++sections;
@@ -70,6 +106,33 @@ Estimate by_sections(const VectorXd& y, int least, const std::function<double(co
   estimate.lower = estimate.value - half;
   estimate.upper = estimate.value + half;
   return estimate;
+}
+
+Estimate exceedance(const VectorXd& y, bool latin, double threshold) {
+  constexpr double least_on_a_side = 5.0;
+  const auto above = [threshold](const VectorXd& sample) {
+    return static_cast<double>((sample.array() > threshold).count());
+  };
+  const VectorXd all = all_entries(y);
+  const auto runs = static_cast<double>(all.size());
+  if (all.size() == 0) return {};
+  if (above(all) < least_on_a_side || runs - above(all) < least_on_a_side)
+    return clopper_pearson(above(all), runs);
+  Estimate share = by_sections(
+      y, 1, [&](const VectorXd& sample) { return above(sample) / static_cast<double>(sample.size()); },
+      latin);
+  share.lower = std::max(share.lower, 0.0);  // NaN stays NaN
+  share.upper = std::min(share.upper, 1.0);
+  return share;
+}
+
+bool suffices(const StopRule& rule, const VectorXd& y, Index runs, bool latin) {
+  const bool of_mean = std::isnan(rule.quantile);
+  const auto of = [&](const VectorXd& sample) {
+    return of_mean ? sample.mean() : sample_quantile(sample, rule.quantile);
+  };
+  const Estimate number = by_sections(y.head(runs), of_mean ? 1 : 2, of, latin);
+  return number.upper - number.value <= rule.half_width * std::abs(number.value);
 }
 
 double sample_deviation(const VectorXd& sample) {
@@ -87,15 +150,18 @@ double sample_quantile(const VectorXd& sample, double probability) {
 }
 
 DesignKind propagation_design() {
-  return {
-      .name = "propagation",
-      .keys = {{"runs", 100.0}, {"seed", 1.0}},
-      .samples = true,
-      .dependent = true,
-      .run_count = [](const Design& design) { return long{design.runs}; },
-      .places =
-          [](const Design& design) { return propagation_places(width_of(design), design.runs, design.seed); },
-      .run_name = [](const Design&, Index run) { return fmt::format("propagation {}", run + 1); }};
+  return {.name = "propagation",
+          .keys = {{"runs", 100.0}, {"seed", 1.0}},
+          .samples = true,
+          .dependent = true,
+          .propagates = true,
+          .run_count = [](const Design& design) { return long{design.runs}; },
+          .places =
+              [](const Design& design) {
+                return (design.latin ? latin_places : propagation_places)(width_of(design), design.runs,
+                                                                          design.seed);
+              },
+          .run_name = [](const Design&, Index run) { return fmt::format("propagation {}", run + 1); }};
 }
 
 }  // namespace cpt::parameters

@@ -61,7 +61,12 @@ std::vector<KeyTable> listed_kinds() {
            false,
            "some values, each with a probability; the only kind for a choice",
            {{"values", "array of values of the quantity", "required", "which"},
-            {"weights", "array of numbers above 0", "equal", "how likely each is against the others"}}}};
+            {"weights", "array of numbers above 0", "equal", "how likely each is against the others"}}},
+          {"empirical",
+           false,
+           "the values of a sample, all alike: a column of a CSV file",
+           {{"file", "path", "required", "the CSV file, from the study's folder"},
+            {"column", "text", "required", "name of the column"}}}};
 }
 
 std::vector<std::string_view> kind_names() {
@@ -73,8 +78,8 @@ std::vector<std::string_view> kind_names() {
 class DistributionReader {
  public:
   DistributionReader(const Value& table, const solver::Quantity& quantity, const std::string& key,
-                     ErrorList& errors)
-      : table_(table), quantity_(quantity), key_(key), errors_(errors) {}
+                     const Value& root, ErrorList& errors)
+      : table_(table), quantity_(quantity), key_(key), root_(root), errors_(errors) {}
 
   std::optional<Distribution> read() {
     const std::size_t before = errors_.size();
@@ -114,7 +119,32 @@ class DistributionReader {
       return has("min") || has("max") ? between() : by_moments_or_quantiles(Family::uniform);
     if (kind_ == "triangular") return triangular();
     if (kind_ == "beta") return beta();
-    return discrete();
+    return kind_ == "empirical" ? empirical() : discrete();
+  }
+
+  // Whoever reads the study from its file has put the column into [data] (parameters/study_data.hpp).
+  std::optional<Distribution> empirical() {
+    const auto file = text_field(table_, key_, "file", true, errors_);
+    const auto column = text_field(table_, key_, "column", true, errors_);
+    if (!file || !column) return std::nullopt;
+    const Member* inside = root_.find("data");
+    for (const std::string* name : {&*file, &*column})
+      inside =
+          inside == nullptr || inside->value.kind != Value::Kind::table ? nullptr : inside->value.find(*name);
+    constexpr std::size_t least_values = 5;
+    if (inside == nullptr || inside->value.kind != Value::Kind::array ||
+        inside->value.items.size() < least_values) {
+      refuse("column", fmt::format("the section [data.\"{}\"] has no array {} of {} numbers or more", *file,
+                                   *column, least_values));
+      return std::nullopt;
+    }
+    std::vector<double> given;
+    for (const Value& item : inside->value.items) {
+      const auto value = finite_number(item, fmt::format("data.\"{}\".{}", *file, *column), errors_);
+      if (!value) return std::nullopt;
+      given.push_back(*value);
+    }
+    return of_values(given, std::vector<double>(given.size(), 1.0));
   }
 
   // The standard deviation, or the coefficient of variation times the mean.
@@ -323,8 +353,9 @@ class DistributionReader {
       for (const double value : read.values)
         if (value < quantity_.min || value > quantity_.max ||
             (quantity_.integer && value != std::round(value))) {
-          refuse("values", fmt::format("{} is outside the valid range {} to {}{}", value, quantity_.min,
-                                       quantity_.max, unit));
+          refuse(kind_ == "empirical" ? "column" : "values",
+                 fmt::format("{} is outside the valid range {} to {}{}", value, quantity_.min, quantity_.max,
+                             unit));
           return std::nullopt;
         }
       return read;
@@ -351,6 +382,7 @@ class DistributionReader {
   const Value& table_;
   const solver::Quantity& quantity_;
   const std::string& key_;
+  const Value& root_;
   ErrorList& errors_;
   std::string kind_;
 };
@@ -363,8 +395,8 @@ std::span<const KeyTable> distribution_kinds() {
 }
 
 std::optional<Distribution> read_distribution(const Value& value, const solver::Quantity& quantity,
-                                              const std::string& key, ErrorList& errors) {
-  if (value.kind == Value::Kind::table) return DistributionReader(value, quantity, key, errors).read();
+                                              const std::string& key, const Value& root, ErrorList& errors) {
+  if (value.kind == Value::Kind::table) return DistributionReader(value, quantity, key, root, errors).read();
   errors.add(value.place, key, fmt::format("must be a table, not {}", to_string(value.kind)),
              R"(such as { kind = "lognormal", mean = 743, cv = 0.1 })");
   return std::nullopt;

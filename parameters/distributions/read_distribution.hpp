@@ -18,9 +18,10 @@ namespace cpt::parameters {
 
 /// The distribution of `quantity`, in its study unit; a choice's values are their indices. `key` is what
 /// errors name. Cut off at the ends of the quantity's valid range, beyond which at most one part in a
-/// thousand may lie. Nothing after an error.
+/// thousand may lie. Nothing after an error. An empirical one has its values in the section [data] of `root`.
 [[nodiscard]] std::optional<Distribution> read_distribution(const Value& value,
                                                             const solver::Quantity& quantity,
-                                                            const std::string& key, ErrorList& errors);
+                                                            const std::string& key, const Value& root,
+                                                            ErrorList& errors);
 
 }  // namespace cpt::parameters

@@ -4,7 +4,9 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 
 for (const window of data.windows) window.name = window.window;
-const runs = data.realizations;
+// A design that had enough runs leaves the others out.
+const runs = data.realizations.filter((run) => run.status !== "not_needed");
+const not_needed = data.realizations.length - runs.length;
 const run_of = new Map(runs.map((run) => [run.id, run]));
 const baseline = runs.find((run) => run.side === "baseline");
 const parameter_of = new Map(data.parameters.map((p) => [p.name, p]));

@@ -8,6 +8,10 @@ const label_of_effect = (row) => {
 const effects_in = (window, quantity) =>
   data.effects.filter((row) => row.window === window.name && row.quantity === quantity);
 
+/// "exceedance of 250 kPa"
+const quantity_words = (row) =>
+  known(row.threshold_kPa) ? `${row.quantity} of ${number(row.threshold_kPa)} kPa` : row.quantity;
+
 /// What holds for all inputs of a window; the notes of pairs are their own.
 function remarks(rows) {
   const fit = rows.find((row) => row.quantity === "Q2");
@@ -25,15 +29,19 @@ function effects() {
     section.append(el("h3", {}, window.name));
     for (const words of remarks(rows))
       section.append(el("p", { class: words.includes("not to be believed") ? "warn" : null }, words));
-    put(section, byId(`effects_${k}`),
+    put(section, byId(`effects_${k}`), byId(`convergence_${k}`),
       el("details", {}, el("summary", {}, `Numbers of the design in ${window.name}`),
         table([{ name: "input" }, { name: "quantity" }, { name: "value", numeric: true }, { name: "from (95 %)", numeric: true },
                { name: "to (95 %)", numeric: true }, { name: "unit" }, { name: "used", numeric: true }, { name: "dropped", numeric: true },
                { name: "note", long: true }],
           rows.map((row) => ({
             class: known(row.value) ? null : "failed",
-            cells: [rich(label_of_effect(row)), row.quantity, number(row.value), number(row.lower), number(row.upper), row.unit,
+            cells: [rich(label_of_effect(row)), quantity_words(row), number(row.value), number(row.lower), number(row.upper), row.unit,
                     String(row.used), String(row.dropped), row.note],
           })), `Numbers of the design in ${window.name}`)));
+  }
+  for (const channel of data.channels) {
+    const bands = byId(`bands_${channel.name}`);
+    if (bands) put(section, el("h3", {}, `${channel.title[0].toUpperCase()}${channel.title.slice(1)} over depth`), bands);
   }
 }

@@ -63,6 +63,13 @@ function estimated(row) {
   return `${number(row.value)} ${row.unit}${interval}`;
 }
 
+/// "above 250 kPa with a probability of 12.5 % (95 %: 9.1 to 16)"
+function exceeded(row) {
+  const percent = (share) => number(100 * share, 3);
+  return `above ${number(row.threshold_kPa)} kPa with a probability of ${percent(row.value)} %` +
+    (known(row.lower) ? ` (95 %: ${percent(row.lower)} to ${percent(row.upper)})` : "");
+}
+
 /// What q_c is worth with distributed inputs.
 function of_propagation(window) {
   const row = (quantity) => effects_in(window, quantity).find((one) => known(one.value));
@@ -70,7 +77,9 @@ function of_propagation(window) {
   if (!mean || !deviation || !low || !high) return ["The design (propagation) says nothing yet."];
   return [`With its inputs drawn from their distributions it averages ${estimated(mean)}, with a standard deviation of ` +
     `${estimated(deviation)}; nine of ten values lie between ${number(low.value)} and ${number(high.value)} kPa` +
-    `${mean.dropped ? `; ${mean.dropped} runs are missing` : ""}.`];
+    `${effects_in(window, "exceedance").filter((one) => known(one.value)).map((one) => `; ${exceeded(one)}`).join("")}` +
+    `${mean.dropped ? `; ${mean.dropped} runs are missing` : ""}.` +
+    `${data.stopped ? ` By the study's rule, ${data.stopped}.` : ""}`];
 }
 
 /// What the design adds: its largest bar, as drawn further down.
@@ -117,6 +126,7 @@ function glance() {
     now ? fact("running", String(now)) : null,
     done + lost + now < runs.length ? fact("still to run", String(runs.length - done - lost - now)) : null,
     fact("uncertain inputs", String(data.parameters.length)),
+    not_needed ? fact("not needed", String(not_needed)) : null,
     has_design ? fact("design", data.design.replaceAll("_", " ")) : null,
     fact("computing time", duration(seconds)),
     fact("profile", profile_words(data)),

@@ -9,6 +9,7 @@
 
 #include "results/files/database.hpp"
 #include "results/files/file_lock.hpp"
+#include "results/ledger/effect_tables.hpp"
 #include "results/ledger/ledger_rows.hpp"
 #include "results/ledger/matching.hpp"
 #include "results/ledger/provenance.hpp"
@@ -172,10 +173,11 @@ Counts Ledger::counts() const {
   Statement rows = state_->database.prepare("SELECT status, count(*) FROM realization GROUP BY status");
   while (rows.step()) {
     const std::string status = rows.text(0);
-    int& count = status == "pending"     ? counts.pending
-                 : status == "running"   ? counts.running
-                 : status == "completed" ? counts.completed
-                                         : counts.failed;
+    int& count = status == "pending"      ? counts.pending
+                 : status == "running"    ? counts.running
+                 : status == "completed"  ? counts.completed
+                 : status == "not_needed" ? counts.not_needed
+                                          : counts.failed;
     count += static_cast<int>(rows.integer(1));
   }
   return counts;
@@ -250,6 +252,22 @@ void Ledger::mark_pending(int id) {
   Write write(*state_);
   require_waiting(state_->database, id);
   clear_outcome(state_->database, id);
+  write.commit();
+}
+
+void Ledger::mark_not_needed(std::span<const int> ids) {
+  Write write(*state_);
+  for (const int id : ids) {
+    require_waiting(state_->database, id);
+    state_->database.prepare("UPDATE realization SET status = 'not_needed' WHERE id = ?").bind(id).run();
+  }
+  write.commit();
+}
+
+void Ledger::write_effects() {
+  if (state_->study.design.kind == parameters::Design().kind) return;
+  Write write(*state_);
+  results::write_effects(state_->database, design_effects(read_snapshot(state_->database)));
   write.commit();
 }
 

@@ -38,6 +38,7 @@ struct Counts {
   int running = 0;
   int completed = 0;
   int failed = 0;
+  int not_needed = 0;  ///< left out by a design that had enough runs; no part of the total
   [[nodiscard]] int total() const { return pending + running + completed + failed; }
 };
 
@@ -77,6 +78,11 @@ class Ledger {
   void mark_running(int id);
   /// A running realization goes back to pending (its worker was lost and it is to be run elsewhere).
   void mark_pending(int id);
+  /// Pending realizations that the design turned out not to need; the next start finds out again.
+  void mark_not_needed(std::span<const int> ids);
+  /// What the design says of all that has been recorded: for readers of the database, who may read it without
+  /// an estimator. Nothing of a study without a design.
+  void write_effects();
   /// A realization ended, well or not: status, reason, audit, curve and window means in one transaction, that
   /// of the open group if there is one. The
   /// baseline's record also resolves the peak and trough windows and averages every curve stored before it.

@@ -185,7 +185,7 @@ void write_study(const Database& database, const parameters::Study& study, const
   }
   database.execute(
       "DELETE FROM campaign; DELETE FROM layer; DELETE FROM parameter; DELETE FROM window_mean; "
-      "DELETE FROM repeat_noise; DELETE FROM depth_window");
+      "DELETE FROM repeat_noise; DELETE FROM depth_window; DELETE FROM effect; DELETE FROM depth_band");
   insert_row(database, campaign_table(), campaign);
   int position = 0;
   for (const solver::Layer& layer : study.baseline.layers)

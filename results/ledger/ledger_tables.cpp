@@ -6,6 +6,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "results/ledger/effect_tables.hpp"
 #include "solver/channels.hpp"
 
 namespace cpt::results {
@@ -34,7 +35,7 @@ std::vector<RowColumn<Run>> run_columns() {
       column(
           "status",
           "NOT NULL CHECK (status IN ('pending', 'running', 'completed', 'did_not_converge', 'energy_drift', "
-          "'time_limit', 'invalid_parameters', 'crashed', 'rank_lost'))",
+          "'time_limit', 'invalid_parameters', 'crashed', 'rank_lost', 'not_needed'))",
           &Run::status),
       column("reason", "NOT NULL DEFAULT ''", &Run::reason),
       column("wall_s", "", &Run::wall_s),
@@ -132,7 +133,9 @@ std::vector<TableDefinition> make_ledger_tables() {
           run_table(unused_tables).definition(),
           curve_table(unused_tables).definition(),
           checksums_of(unused_tables),
-          import_table().definition()};
+          import_table().definition(),
+          effect_table().definition(),
+          depth_band_table().definition()};
 }
 
 }  // namespace

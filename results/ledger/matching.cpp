@@ -24,7 +24,7 @@ enum class Fate { keep_completed, keep_failed, wait, running, interrupted, retry
 Fate fate_of(const HeldRun& run, bool retry_failed, bool under_way = false) {
   if (run.damaged) return Fate::damaged;
   if (run.status == "completed") return Fate::keep_completed;
-  if (run.status == "pending") return Fate::wait;
+  if (run.status == "pending" || run.status == "not_needed") return Fate::wait;
   if (run.status == "running" && under_way && !run.unused) return Fate::running;
   if (!run.finished()) return Fate::interrupted;
   return retry_failed ? Fate::retry : Fate::keep_failed;
@@ -59,7 +59,9 @@ std::string runs(int count, std::string_view what) {
 
 }  // namespace
 
-bool HeldRun::finished() const { return status != "pending" && status != "running" && status != "rank_lost"; }
+bool HeldRun::finished() const {
+  return status != "pending" && status != "running" && status != "rank_lost" && status != "not_needed";
+}
 
 Matching match(const Database& database, const parameters::Study& study,
                std::span<const parameters::Realization> realizations) {
@@ -181,8 +183,9 @@ void apply(const Database& database, const Matching& matching, bool retry_failed
     else
       rename_realization(database, -run.id, realization.id, realization.input);
     const Fate fate = fate_of(run, retry_failed);
-    if (!as_found && (fate == Fate::interrupted || fate == Fate::retry || fate == Fate::damaged))
-      clear_outcome(database, realization.id);
+    // Whether it is needed is found out again.
+    const bool asked_again = fate == Fate::interrupted || fate == Fate::retry || fate == Fate::damaged;
+    if (run.status == "not_needed" || (!as_found && asked_again)) clear_outcome(database, realization.id);
   }
   for (const HeldRun& run : matching.left)
     if (!run.unused && (run.damaged || !run.finished()))

@@ -126,6 +126,18 @@ std::string names_of(const Columns& columns) {
   return names;
 }
 
+/// All rows as a table for files, in the table's columns.
+template <class Row>
+Table table_of(const RowTable<Row>& of, const std::vector<Row>& rows) {
+  Table table;
+  for (const RowColumn<Row>& column : of.columns) table.columns.push_back(column.name);
+  for (const Row& row : rows) {
+    std::vector<Cell>& cells = table.rows.emplace_back();
+    for (const RowColumn<Row>& column : of.columns) cells.push_back(column.cell(row));
+  }
+  return table;
+}
+
 template <class Row>
 void insert_row(const Database& database, const RowTable<Row>& table, const Row& row) {
   std::string places;

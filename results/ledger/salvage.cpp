@@ -63,7 +63,7 @@ Salvage salvage(const std::filesystem::path& damaged, int largest_id_unless_told
       try {
         if (matches_checksum(*database, id, tables) != std::optional(true)) continue;
         std::optional<StoredRun> run = read_run(*database, static_cast<int>(id), tables);
-        const bool ended = run && !run->row.waiting() && run->row.status != "rank_lost";
+        const bool ended = run && run->row.ended() && run->row.status != "rank_lost";
         if (ended && (!run->row.completed() || run->profile)) found.runs.push_back(*std::move(run));
       } catch (const Error&) {
       }

@@ -49,7 +49,7 @@ struct RealizationRow {
   std::string side;       ///< "baseline", "lower", "upper", "point" or "repeat"
   double value;           ///< study unit; NaN for the baseline
   std::string value_text;
-  std::string status;  ///< "pending", "running" or a solver::Status name
+  std::string status;  ///< "pending", "running", "not_needed" or a solver::Status name
   std::string reason;
   double wall_s;
   std::int64_t steps = 0, material_points = 0;
@@ -59,7 +59,10 @@ struct RealizationRow {
   std::string out_of_line;  ///< of a snapshot: what its audit has out of line (view `audit`); else empty
   [[nodiscard]] bool waiting() const { return status == "pending" || status == "running"; }
   [[nodiscard]] bool completed() const { return status == "completed"; }
-  [[nodiscard]] bool failed() const { return !waiting() && !completed(); }
+  /// Left out by a design that had enough runs.
+  [[nodiscard]] bool not_needed() const { return status == "not_needed"; }
+  [[nodiscard]] bool ended() const { return !waiting() && !not_needed(); }
+  [[nodiscard]] bool failed() const { return ended() && !completed(); }
 };
 
 /// Row of `depth_window`; from and to are NaN until they can be resolved.

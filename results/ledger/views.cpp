@@ -71,7 +71,7 @@ bound AS (
   FROM depth_window AS w CROSS JOIN parameter AS p CROSS JOIN baseline
 ),
 state AS (
-  SELECT id, CASE WHEN status IN ('pending', 'running') THEN status
+  SELECT id, CASE WHEN status IN ('pending', 'running', 'not_needed') THEN status
                   WHEN status = 'completed' THEN 'has no q_c in the window'
                   ELSE 'failed (' || status || ')' END AS words
   FROM realization

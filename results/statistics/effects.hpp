@@ -1,10 +1,12 @@
 // What the design of a study says: the numbers of its estimator for every window, from the stored runs.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "results/ledger/snapshot.hpp"
+#include "results/statistics/propagation_rows.hpp"
 #include "results/tables/table_format.hpp"
 
 namespace cpt::results {
@@ -13,20 +15,25 @@ namespace cpt::results {
 struct EffectRow {
   std::string window, parameter;
   std::string other_parameter;  ///< of a pair
-  /// interaction; mu_star, mu, sigma; first_order, total_order, Q2; mean, standard_deviation, quantile_05 ...
+  /// interaction; mu_star, mu, sigma; first_order, total_order, Q2; mean, standard_deviation, quantile_05
+  /// ..., exceedance
   std::string quantity;
-  std::string unit;  ///< "kPa", or "-" for a share of the variance
+  std::string unit;  ///< "kPa", or "-" for a share of the variance and a probability
   double value, lower, upper;
   int used = 0;     ///< elementary effects (morris), rows (sobol), else runs
   int dropped = 0;  ///< of the same, because a run has no result
   std::string note;
+  double threshold_kPa = std::numeric_limits<double>::quiet_NaN();  ///< of an exceedance
 };
 
 struct Effects {
   std::string design = "one_at_a_time";  ///< its kind
   std::vector<int> runs;        ///< the design's realizations in its order, as far as the ledger has them
   std::vector<EffectRow> rows;  ///< by window, quantity, then parameter in the design's order
-  std::string problem;          ///< why the stored study cannot be read; empty if it can
+  std::vector<ConvergenceRow> convergence;  ///< of a propagation
+  std::vector<DepthBandRow> bands;          ///< of a propagation
+  std::string stopped;                      ///< of a design with a rule to stop: what it says, in a sentence
+  std::string problem;                      ///< why the stored study cannot be read; empty if it can
 };
 
 /// "3 of 4 repeats so far"; empty once none is to come.
@@ -38,5 +45,6 @@ struct Effects {
 [[nodiscard]] Effects design_effects(const Snapshot& campaign);
 
 [[nodiscard]] Table effects_table(const Effects& effects);
+[[nodiscard]] Table bands_table(const Effects& effects);
 
 }  // namespace cpt::results

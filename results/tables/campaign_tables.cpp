@@ -18,9 +18,9 @@
 namespace cpt::results {
 namespace {
 
-// What the study no longer asks for is no part of the campaign.
-constexpr std::string_view left_out[] = {"former_study", unused_tables.run, unused_tables.curve,
-                                         unused_tables.checksum};
+// What the study no longer asks for is no part of the campaign; what the design says is told as it is now.
+constexpr std::string_view left_out[] = {"former_study",         unused_tables.run, unused_tables.curve,
+                                         unused_tables.checksum, "effect",          "depth_band"};
 
 Table stored_rows(const Database& database, const TableDefinition& table) {
   std::vector<ColumnDefinition> columns = table.columns;
@@ -64,7 +64,9 @@ std::vector<NamedTable> campaign_tables(const Database& database) {
   tables.push_back({"samples", samples_table(snapshot)});
   for (const char* view : {"audit", "sensitivity", "tornado"})
     tables.push_back({view, rows_of(database.prepare(fmt::format("SELECT * FROM {}", view)))});
-  tables.push_back({"effects", effects_table(design_effects(snapshot))});
+  const Effects effects = design_effects(snapshot);
+  tables.push_back({"effects", effects_table(effects)});
+  tables.push_back({"bands", bands_table(effects)});
   return tables;
 }
 

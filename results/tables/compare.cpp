@@ -62,10 +62,11 @@ std::string why_none(const Snapshot& s, const Key& key) {
     return Key{window, r.parameter, r.side, r.value_text} == key;
   });
   if (run == s.realizations.end()) return "";
-  return interrupted(*run) ? "interrupted"
-         : run->waiting()  ? "not run yet"
-         : run->failed()   ? fmt::format("failed ({})", run->status)
-                           : "no value in the window";
+  return interrupted(*run)   ? "interrupted"
+         : run->waiting()    ? "not run yet"
+         : run->not_needed() ? "not needed"
+         : run->failed()     ? fmt::format("failed ({})", run->status)
+                             : "no value in the window";
 }
 
 /// "only in b"; "a failed (crashed)"; "a not run yet, b failed (crashed)".

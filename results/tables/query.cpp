@@ -18,7 +18,7 @@
 namespace cpt::results {
 namespace {
 
-constexpr std::array<NamedQuery, 7> questions = {{
+constexpr std::array<NamedQuery, 8> questions = {{
     {"realizations",
      "every realization: its parameter, value, status, cost and audit, and what is out of line"},
     {"windows", "every realization's q_c and other channels in every window, with the window's depths"},
@@ -27,10 +27,11 @@ constexpr std::array<NamedQuery, 7> questions = {{
     {"failures", "realizations that failed, with the reason"},
     {"unused", "finished results that the study no longer asks for; campaign prune removes them"},
     {"effects", "what the study's [design] says of its parameters, with 95 % intervals"},
+    {"bands", "of a design propagation: how every channel is distributed at every depth"},
 }};
 
-// In the order of the questions; the last one is answered without SQL.
-constexpr std::array<std::string_view, questions.size() - 1> question_statements = {
+// In the order of the questions; the last two are answered without SQL.
+constexpr std::array<std::string_view, questions.size() - 2> question_statements = {
     "SELECT id, r.parameter, r.side, value_text AS value, r.status, wall_s, steps, material_points, "
     "r.mass_error, "
     "r.momentum_error, r.energy_error, r.kinetic_fraction, r.max_empty_cells, r.limited_share, "
@@ -46,7 +47,7 @@ constexpr std::array<std::string_view, questions.size() - 1> question_statements
     "SELECT * FROM sensitivity",
     "SELECT * FROM tornado",
     "SELECT id, parameter, side, value_text AS value, status, reason, wall_s FROM realization "
-    "WHERE status NOT IN ('pending', 'running', 'completed') ORDER BY id",
+    "WHERE status NOT IN ('pending', 'running', 'not_needed', 'completed') ORDER BY id",
     "SELECT id, parameter, side, value_text AS value, status, solver_version, wall_s, finished, study FROM "
     "unused ORDER BY id",
 };
@@ -120,6 +121,10 @@ Table query(const Database& database, std::string_view name) {
     if (!effects.problem.empty())
       throw Error(fmt::format("{}: {}", database.file().string(), effects.problem));
     return effects_table(effects);
+  }
+  if (name == "bands") {
+    const Transaction transaction(database, Transaction::Kind::read);
+    return bands_table(design_effects(read_snapshot(database)));
   }
   if (name == "unused" && !has_table(database, "unused")) return {};  // an earlier schema version
   for (std::size_t i = 0; i < question_statements.size(); ++i)

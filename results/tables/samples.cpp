@@ -91,7 +91,7 @@ std::string dakota_table(const Snapshot& s) {
   std::vector<std::vector<std::string>> lines = {{"%eval_id", "interface"}};
   for (const std::size_t i : taken) lines.front().push_back(samples.columns[i]);
   for (std::size_t k = 0; k < samples.rows.size(); ++k) {
-    if (s.realizations[k].waiting()) continue;
+    if (!s.realizations[k].ended()) continue;
     std::vector<std::string>& line = lines.emplace_back();
     line = {word_of(samples.rows[k][id]), "NO_ID"};
     for (const std::size_t i : taken) line.push_back(word_of(samples.rows[k][i]));

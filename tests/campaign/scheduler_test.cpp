@@ -36,6 +36,21 @@ TEST(Scheduler, FillsAllSlotsInOrderAndNoMore) {
   EXPECT_EQ(scheduler.tally().running, 3);
 }
 
+TEST(Scheduler, WhatIsNotNeededIsNotStarted) {
+  Scheduler scheduler(ids(10));
+  scheduler.add_rank(0, 0, 2);
+  ASSERT_EQ(hand_out(scheduler).size(), 2U);
+  const std::vector<int> beyond = {2, 5, 6, 7, 8, 9, 10};
+  EXPECT_EQ(scheduler.drop(beyond), (std::vector<int>{5, 6, 7, 8, 9, 10}));  // the second is running
+  EXPECT_EQ(scheduler.tally().total(), 4);
+  EXPECT_TRUE(scheduler.end(1, 0, false));
+  EXPECT_TRUE(scheduler.end(2, 0, false));
+  ASSERT_EQ(hand_out(scheduler).size(), 2U);
+  EXPECT_TRUE(scheduler.end(3, 0, false));
+  EXPECT_TRUE(scheduler.end(4, 0, false));
+  EXPECT_TRUE(scheduler.done());
+}
+
 TEST(Scheduler, InterruptedRealizationIsTheNext) {
   Scheduler scheduler(ids(5));
   scheduler.add_rank(0, 0, 2);

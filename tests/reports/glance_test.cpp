@@ -99,6 +99,24 @@ TEST_F(Glance, SaysWhatAPropagationFinds) {
                            shown(row("quantile_95").value)));
 }
 
+TEST_F(Glance, SaysHowLikelyAThresholdIsExceededAndWhyADesignStopped) {
+  const auto campaign = run_made_up_design(
+      folder / "study.toml",
+      "kind = \"propagation\"\nruns = 100\nuntil = { half_width_percent = 90 }\n[[windows]]\nname = \"low\"\n"
+      "from_m = 0.2\nto_m = 0.22\nthresholds_kPa = [300]");
+  const auto effects = results::design_effects(campaign);
+  const auto row = *std::ranges::find(effects.rows, "exceedance", &results::EffectRow::quantity);
+  const std::string text = said(campaign, effects);
+  const auto percent = [](double share) { return drawing::number(100.0 * share, 3); };
+  expect(text, fmt::format("above 300 kPa with a probability of {} % (95 %: {} to {})", percent(row.value),
+                           percent(row.lower), percent(row.upper)));
+  EXPECT_EQ(row.used + row.dropped, 50);
+  expect(
+      text,
+      "By the study's rule, the mean is known to ± 90 % in every window after 50 runs: 50 of the design are "
+      "not needed.");
+}
+
 TEST_F(Glance, SaysWhichNoiseAndHowManyRepeatsAreStillToCome) {
   const auto grey = [&]() -> std::string {
     return value("document.querySelector('#sensitivity details p').textContent");

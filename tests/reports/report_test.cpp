@@ -214,6 +214,14 @@ TEST_F(Report, ShowsHowAPropagationIsDistributed) {
   EXPECT_TRUE(has(svg, "share of the runs (%)"));
   EXPECT_FALSE(has(svg, "nan"));
   EXPECT_EQ(lines(read(folder / "report" / "effects.csv")), 1u + effects.rows.size());
+  EXPECT_EQ(lines(read(folder / "report" / "bands.csv")), 1u + effects.bands.size());
+  const std::string bands = read(folder / "report" / "bands_q_c.svg");
+  EXPECT_TRUE(has(bands, "36 runs; each depth stands alone"));
+  EXPECT_TRUE(has(bands, "5 to 95 %"));
+  EXPECT_FALSE(has(bands, "nan"));
+  const std::string convergence = read(folder / "report" / "convergence_deep.svg");
+  EXPECT_TRUE(has(convergence, "95 % quantile"));
+  EXPECT_FALSE(has(convergence, "nan"));
 }
 
 TEST_F(Report, PdfCutsNoNoteReasonOrTitle) {

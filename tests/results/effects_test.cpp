@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <string_view>
 
 #include "parameters/designs/design.hpp"
+#include "parameters/designs/propagation.hpp"
 #include "parameters/read_study.hpp"
+#include "results/statistics/stored_design.hpp"
 #include "results/tables/query.hpp"
 #include "tests/results/campaign_fixture.hpp"
 #include "tests/solver/default_soils.hpp"
@@ -202,6 +206,91 @@ TEST_F(EffectsOf, PropagationTellsWhatTheResultIsWorth) {
     EXPECT_GT(row(effects, quantile, "").value, before);
     before = row(effects, quantile, "").value;
   }
+}
+
+TEST_F(EffectsOf, PropagationTellsHowOftenAThresholdIsExceeded) {
+  const Effects effects =
+      design_effects(run("thresholds_kPa = [1, 400, 1e6]\n[design]\nkind = \"propagation\"\nruns = 100\n"));
+  std::vector<EffectRow> rows;
+  std::ranges::copy_if(effects.rows, std::back_inserter(rows),
+                       [](const EffectRow& r) { return r.quantity == "exceedance"; });
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].value, 1.0);
+  EXPECT_EQ(rows[2].value, 0.0);
+  EXPECT_EQ(rows[1].threshold_kPa, 400.0);
+  EXPECT_EQ(rows[1].unit, "-");
+  EXPECT_LT(rows[1].lower, rows[1].value);
+  EXPECT_LT(rows[1].value, rows[1].upper);
+  EXPECT_LT(rows[0].lower, 1.0);
+}
+
+// The rule looks at the first runs alone, whatever else has run or failed behind them.
+TEST_F(EffectsOf, PropagationThatStopsCountsTheRunsThatSufficed) {
+  const std::string design =
+      "[design]\nkind = \"propagation\"\nruns = 200\nuntil = { half_width_percent = 20 }\n";
+  const Snapshot whole = run(design);
+  const StoredDesign all = stored_design(whole);
+  ASSERT_TRUE(all.enough);
+  EXPECT_GE(*all.enough, 50U);
+  EXPECT_LT(*all.enough, 200U);
+  EXPECT_EQ(*all.enough % 10, 0U);
+  const Effects effects = design_effects(whole);
+  EXPECT_EQ(effects.runs.size(), *all.enough);
+  EXPECT_EQ(row(effects, "mean", "").used, static_cast<int>(*all.enough));
+  EXPECT_NE(effects.stopped.find(fmt::format("± 20 % in every window after {} runs: {} of the design are not "
+                                             "needed",
+                                             *all.enough, 200 - *all.enough)),
+            std::string::npos)
+      << effects.stopped;
+
+  std::set<std::string> later;
+  for (std::size_t k = *all.enough + 1; k <= 200; ++k) later.insert(fmt::format("pending propagation {}", k));
+  std::filesystem::remove(folder / "study.sqlite");
+  const Effects fewer = design_effects(run(design, later));
+  EXPECT_EQ(fewer.runs.size(), *all.enough);
+  EXPECT_EQ(row(fewer, "mean", "").value, row(effects, "mean", "").value);
+  EXPECT_EQ(row(fewer, "mean", "").upper, row(effects, "mean", "").upper);
+  EXPECT_EQ(row(fewer, "mean", "").note, "");
+
+  later.insert("pending propagation 3");
+  std::filesystem::remove(folder / "study.sqlite");
+  EXPECT_FALSE(stored_design(run(design, later)).enough);
+}
+
+TEST_F(EffectsOf, BandsHoldTheChannelsAtEveryDepth) {
+  const Snapshot snapshot = run("[design]\nkind = \"propagation\"\nruns = 100\n", {"propagation 7"});
+  const Effects effects = design_effects(snapshot);
+  ASSERT_FALSE(effects.bands.empty());
+  std::vector<double> mine;  // q_c of the completed runs at the depth of a row
+  const DepthBandRow& band = effects.bands[effects.bands.size() / 4];
+  EXPECT_EQ(band.channel, "q_c");
+  EXPECT_EQ(band.runs, 99);
+  for (const int id : effects.runs)
+    for (const CurveRow& curve : snapshot.curves)
+      if (curve.realization == id && snapshot.realizations[static_cast<std::size_t>(id - 1)].completed()) {
+        const auto at = std::ranges::find(curve.profile.depth, band.depth_m) - curve.profile.depth.begin();
+        mine.push_back(curve.profile.q_c[static_cast<std::size_t>(at)] / 1e3);
+      }
+  ASSERT_EQ(mine.size(), 99U);
+  const Eigen::Map<const Eigen::VectorXd> sample(mine.data(), 99);
+  EXPECT_NEAR(band.mean.value, sample.mean(), 1e-9);
+  EXPECT_NEAR(band.standard_deviation, parameters::sample_deviation(sample), 1e-9);
+  EXPECT_NEAR(band.quantiles[4].value, parameters::sample_quantile(sample, 0.95), 1e-9);
+  EXPECT_LT(band.quantiles[0].value, band.quantiles[4].value);
+  EXPECT_EQ(bands_table(effects).rows.size(), effects.bands.size());
+  EXPECT_EQ(bands_table(effects).rows.front().size(), bands_table(effects).columns.size());
+}
+
+TEST_F(EffectsOf, ConvergenceEndsWithTheNumbersOfAllRuns) {
+  const Effects effects = design_effects(run("[design]\nkind = \"propagation\"\nruns = 100\n"));
+  std::vector<ConvergenceRow> means;
+  for (const ConvergenceRow& of : effects.convergence)
+    if (of.quantity == "mean") means.push_back(of);
+  ASSERT_EQ(means.size(), 10U);
+  EXPECT_EQ(means.front().runs, 10);
+  EXPECT_EQ(means.back().runs, 100);
+  EXPECT_EQ(means.back().estimate.value, row(effects, "mean", "").value);
+  EXPECT_EQ(means.back().estimate.upper, row(effects, "mean", "").upper);
 }
 
 // A constant result has a mean, and no index that would be undefined.

@@ -8,6 +8,8 @@ namespace {
 
 using Eigen::VectorXd;
 
+constexpr double kPa = 1e3;  // [Pa]
+
 struct Number {
   std::string_view name;
   int least;  ///< entries of a section that it takes
@@ -35,10 +37,17 @@ void add_propagation_effects(WindowEffects& w) {
   const auto used = static_cast<int>((w.y.array() == w.y.array()).count());
   const auto dropped = static_cast<int>(w.y.size()) - used;
   for (const Number& number : numbers) {
-    const auto estimate = parameters::by_sections(w.y, number.least, number.of);
+    const auto estimate = parameters::by_sections(w.y, number.least, number.of, w.study.design.latin);
     w.rows.push_back({w.window.name, "", "", std::string(number.name), "kPa", estimate.value, estimate.lower,
                       estimate.upper, used, dropped, w.remarks});
   }
+  for (const parameters::Window& window : w.study.windows)
+    if (window.name == w.window.name)
+      for (const double threshold : window.thresholds) {
+        const auto share = parameters::exceedance(w.y * kPa, w.study.design.latin, threshold);
+        w.rows.push_back({w.window.name, "", "", "exceedance", "-", share.value, share.lower, share.upper,
+                          used, dropped, w.remarks, threshold / kPa});
+      }
 }
 
 }  // namespace cpt::results

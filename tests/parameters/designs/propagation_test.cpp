@@ -33,6 +33,22 @@ TEST(PropagationPlaces, EverySectionFillsTheRange) {
     }
 }
 
+TEST(LatinPlaces, EveryTenRunsFillTheRangeAndMoreKeepThem) {
+  const MatrixXd places = latin_places(4, 100, 5);
+  for (Index first = 0; first < 100; first += latin_runs)
+    for (Index j = 0; j < 4; ++j) {
+      std::vector<int> taken(latin_runs);
+      for (Index k = 0; k < latin_runs; ++k)
+        ++taken[static_cast<std::size_t>(places(first + k, j) * latin_runs)];
+      for (const int count : taken) EXPECT_EQ(count, 1);
+    }
+  EXPECT_EQ(latin_places(4, 37, 5), places.topRows(37));
+  EXPECT_EQ(section_of(9, true), 0);
+  EXPECT_EQ(section_of(10, true), 1);
+  EXPECT_EQ(section_of(100, true), 0);
+  EXPECT_EQ(section_of(13, false), 3);
+}
+
 TEST(SampleNumbers, AreThoseOfKnownSamples) {
   const VectorXd sample = VectorXd::LinSpaced(9, 1.0, 9.0);
   EXPECT_DOUBLE_EQ(sample_deviation(sample), std::sqrt(7.5));
@@ -57,28 +73,63 @@ TEST(BySections, LeavesOutWhatHasFailedAndNeedsFiveSections) {
   EXPECT_TRUE(std::isnan(by_sections(VectorXd::Constant(5, NAN), 2, mean).value));
 }
 
+TEST(Exceedance, IsAShareWithAnIntervalThatIsNeverEmpty) {
+  const VectorXd y = VectorXd::LinSpaced(100, 1.0, 100.0);
+  const Estimate half = exceedance(y, false, 50.0);
+  EXPECT_DOUBLE_EQ(half.value, 0.5);
+  EXPECT_LT(half.lower, 0.5);
+  EXPECT_GT(half.upper, 0.5);
+  const Estimate never = exceedance(y, false, 100.0);  // equal is not above
+  EXPECT_EQ(never.value, 0.0);
+  EXPECT_EQ(never.lower, 0.0);
+  EXPECT_NEAR(never.upper, 1.0 - std::pow(0.025, 0.01), 1e-9);  // (1 - p)^100 = 0.025
+  const Estimate always = exceedance(y, false, 0.0);
+  EXPECT_EQ(always.value, 1.0);
+  EXPECT_NEAR(always.lower, std::pow(0.025, 0.01), 1e-9);
+  EXPECT_TRUE(std::isnan(exceedance(VectorXd::Constant(3, NAN), false, 1.0).value));
+}
+
+TEST(Suffices, LooksAtTheFirstRunsAndTheirNumberAlone) {
+  VectorXd y = propagation_places(1, 100, 1).col(0).array() + 9.5;  // a mean of 10
+  const StopRule mean{NAN, 0.01}, quantile{0.9, 0.01}, hopeless{NAN, 1e-9};
+  EXPECT_TRUE(suffices(mean, y, 60, false));
+  EXPECT_TRUE(suffices(quantile, y, 60, false));
+  EXPECT_FALSE(suffices(hopeless, y, 60, false));
+  y.tail(40).setConstant(1e6);
+  EXPECT_TRUE(suffices(mean, y, 60, false));
+  EXPECT_FALSE(suffices(mean, y, 100, false));
+  EXPECT_FALSE(suffices(mean, VectorXd::Constant(100, NAN), 60, false));
+}
+
 // How often intervals hold the truth, of sums of four normal inputs, one of them squared for the mean; 95 %
 // of 200 repetitions scatter by +- 3 % at two deviations.
 TEST(BySections, IntervalsHoldTheTruthAsOftenAsTheySay) {
   const boost::math::normal normal;
   constexpr int repetitions = 200;
-  int mean = 0, deviation = 0, median = 0;
-  for (int seed = 1; seed <= repetitions; ++seed) {
-    const MatrixXd places = propagation_places(4, 200, static_cast<std::uint64_t>(seed));
-    VectorXd y(places.rows()), sum(places.rows());
-    for (Index i = 0; i < places.rows(); ++i) {
-      const auto z = [&](Index j) { return quantile(normal, places(i, j)); };
-      y(i) = z(0) + 0.5 * z(1) + z(2) * z(2) + 0.3 * z(3);
-      sum(i) = z(0) + z(1) + z(2) + z(3);
+  for (const bool latin : {false, true}) {
+    int mean = 0, deviation = 0, median = 0, exceeded = 0;
+    for (std::uint64_t seed = 1; seed <= repetitions; ++seed) {
+      const MatrixXd places = (latin ? latin_places : propagation_places)(4, 200, seed);
+      VectorXd y(places.rows()), sum(places.rows());
+      for (Index i = 0; i < places.rows(); ++i) {
+        const auto z = [&](Index j) { return quantile(normal, places(i, j)); };
+        y(i) = z(0) + 0.5 * z(1) + z(2) * z(2) + 0.3 * z(3);
+        sum(i) = z(0) + z(1) + z(2) + z(3);
+      }
+      const auto holds = [](const Estimate& e, double truth) { return e.lower <= truth && truth <= e.upper; };
+      const auto of = [&](const VectorXd& sample, int least, auto number) {
+        return by_sections(sample, least, number, latin);
+      };
+      mean += holds(of(y, 1, [](const VectorXd& s) { return s.mean(); }), 1.0);
+      deviation += holds(of(sum, 2, sample_deviation), 2.0);
+      median += holds(of(sum, 2, [](const VectorXd& s) { return sample_quantile(s, 0.5); }), 0.0);
+      exceeded += holds(exceedance(sum, latin, 2.0), cdf(complement(normal, 1.0)));
     }
-    const auto holds = [](const Estimate& e, double truth) { return e.lower <= truth && truth <= e.upper; };
-    mean += holds(by_sections(y, 1, [](const VectorXd& of) { return of.mean(); }), 1.0);
-    deviation += holds(by_sections(sum, 2, sample_deviation), 2.0);
-    median += holds(by_sections(sum, 2, [](const VectorXd& of) { return sample_quantile(of, 0.5); }), 0.0);
-  }
-  for (const int count : {mean, deviation, median}) {
-    EXPECT_GE(count, 0.92 * repetitions);
-    EXPECT_LE(count, 0.99 * repetitions);
+    for (const int count : {mean, deviation, median, exceeded}) {
+      EXPECT_GE(count, 0.91 * repetitions) << latin;
+      EXPECT_LE(count, repetitions) << latin;
+    }
+    for (const int count : {mean, median}) EXPECT_LE(count, 0.99 * repetitions) << latin;
   }
 }
 

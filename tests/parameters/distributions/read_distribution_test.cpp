@@ -12,9 +12,9 @@ class ReadDistribution : public WithOpenTurns {
   // What `d = TEXT` says of a quantity.
   std::optional<Distribution> read(const std::string& text, std::string_view quantity = "sand.G_ref") {
     errors_ = ErrorList("study.toml");
-    const auto document = parse_document("d = " + text + "\n");
+    const auto document = parse_document("d = " + text + "\n" + data_);
     const Value& root = std::get<Value>(document);
-    return read_distribution(root.find("d")->value, *solver::find_quantity(quantity), "d", errors_);
+    return read_distribution(root.find("d")->value, *solver::find_quantity(quantity), "d", root, errors_);
   }
 
   void expect_refused(const std::string& text, const std::string& key, const std::string& message,
@@ -28,6 +28,7 @@ class ReadDistribution : public WithOpenTurns {
   }
 
   ErrorList errors_{"study.toml"};
+  std::string data_;
 };
 
 TEST_F(ReadDistribution, ByMomentsQuantilesAndParameters) {
@@ -45,6 +46,21 @@ TEST_F(ReadDistribution, ByMomentsQuantilesAndParameters) {
             (std::vector{600.0, 700.0, 900.0}));
   EXPECT_EQ(read(R"({ kind = "beta", min = 600, max = 900, alpha = 2, beta = 3 })")->parameters,
             (std::vector{2.0, 3.0, 600.0, 900.0}));
+}
+
+TEST_F(ReadDistribution, EmpiricalValuesComeFromTheSectionData) {
+  const std::string asked = R"({ kind = "empirical", file = "lab.csv", column = "G" })";
+  expect_refused(asked, "d.column", "[data.\"lab.csv\"] has no array G of 5 numbers or more");
+  data_ = "[data.\"lab.csv\"]\nG = [700, 720, 710, 720, 690]\n";
+  const auto values = read(asked);
+  ASSERT_TRUE(values) << format(errors_.sorted());
+  EXPECT_EQ(values->values, (std::vector{690.0, 700.0, 710.0, 720.0}));
+  EXPECT_EQ(values->weights, (std::vector{0.2, 0.2, 0.2, 0.4}));
+  EXPECT_EQ(marginal(*values)->quantile(0.5), 710.0);
+  data_ = "[data.\"lab.csv\"]\nG = [700, 720, 710, 720, -1]\n";
+  expect_refused(asked, "d.column", "-1 is outside the valid range");
+  data_ = "[data.\"lab.csv\"]\nG = [700, 720, 710, 720]\n";
+  expect_refused(asked, "d.column", "of 5 numbers or more");
 }
 
 TEST_F(ReadDistribution, DiscreteValuesAreSortedAndWeighed) {

@@ -1,0 +1,87 @@
+#include "results/statistics/depth_bands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "parameters/designs/propagation.hpp"
+#include "solver/channels.hpp"
+
+namespace cpt::results {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using solver::DepthProfile;
+
+// Between the two bins about the depth; NaN beyond the curve. Depths rise.
+double value_at_depth(const std::vector<double>& depths, const std::vector<double>& values, double depth) {
+  if (values.empty() || depth < depths.front() || depth > depths.back())
+    return std::numeric_limits<double>::quiet_NaN();
+  const auto above = std::ranges::lower_bound(depths, depth);
+  const auto k = static_cast<std::size_t>(above - depths.begin());
+  if (*above == depth) return values[k];
+  return std::lerp(values[k - 1], values[k], (depth - depths[k - 1]) / (depths[k] - depths[k - 1]));
+}
+
+std::vector<double> common_depths(const std::vector<const DepthProfile*>& curves, std::size_t most) {
+  const DepthProfile* finest = nullptr;
+  for (const DepthProfile* curve : curves)
+    if (curve != nullptr && (finest == nullptr || curve->depth.size() > finest->depth.size())) finest = curve;
+  std::vector<double> depths;
+  if (finest == nullptr) return depths;
+  const std::size_t step = (finest->depth.size() + most - 1) / most;
+  for (std::size_t k = 0; k < finest->depth.size(); k += step) depths.push_back(finest->depth[k]);
+  return depths;
+}
+
+DepthBandRow row_of(std::string_view channel, double depth, const VectorXd& y, bool latin) {
+  DepthBandRow row{std::string(channel),
+                   depth,
+                   static_cast<int>((y.array() == y.array()).count()),
+                   {},
+                   std::numeric_limits<double>::quiet_NaN(),
+                   {}};
+  if (row.runs < 2) return row;
+  row.mean = parameters::by_sections(
+      y, 1, [](const VectorXd& of) { return of.mean(); }, latin);
+  row.standard_deviation = parameters::by_sections(y, 2, parameters::sample_deviation, latin).value;
+  for (std::size_t k = 0; k < band_quantiles.size(); ++k)
+    row.quantiles[k] = parameters::by_sections(
+        y, 2, [k](const VectorXd& of) { return parameters::sample_quantile(of, band_quantiles[k]); }, latin);
+  return row;
+}
+
+}  // namespace
+
+std::vector<DepthBandRow> depth_bands(const parameters::Study& study, const Snapshot& snapshot, Runs runs,
+                                      std::size_t most_depths) {
+  std::map<int, const DepthProfile*> curve_of;
+  for (const CurveRow& curve : snapshot.curves) curve_of[curve.realization] = &curve.profile;
+  std::vector<const DepthProfile*> curves;
+  for (const RealizationRow* run : runs)
+    curves.push_back(run != nullptr && run->completed() && curve_of.contains(run->id) ? curve_of[run->id]
+                                                                                      : nullptr);
+  const std::vector<double> depths = common_depths(curves, most_depths);
+  std::vector<DepthBandRow> rows;
+  for (const solver::Channel& channel : solver::channels())
+    for (const double depth : depths) {
+      constexpr double kPa = 1e3;  // [Pa]
+      VectorXd y(static_cast<Index>(curves.size()));
+      for (std::size_t k = 0; k < curves.size(); ++k)
+        y(static_cast<Index>(k)) =
+            curves[k] == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                 : value_at_depth(curves[k]->depth, curves[k]->*channel.values, depth) / kPa;
+      DepthBandRow row = row_of(channel.name, depth, y, study.design.latin);
+      if (row.runs > 0) rows.push_back(std::move(row));
+    }
+  return rows;
+}
+
+std::vector<DepthBandRow> design_bands(const StoredDesign& design, const Snapshot& snapshot) {
+  constexpr std::size_t most_depths = 500;
+  if (!design.study || design.study->design.kind != "propagation") return {};
+  return depth_bands(*design.study, snapshot, design.runs, most_depths);
+}
+
+}  // namespace cpt::results

@@ -1,0 +1,51 @@
+// What a dear study's windows are worth with the runs of a cheaper one beside its own few: the same
+// propagation at two presets (parameters/designs/multifidelity.hpp).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "parameters/designs/bootstrap.hpp"
+#include "results/ledger/snapshot.hpp"
+#include "results/tables/table_format.hpp"
+
+namespace cpt::results {
+
+/// One of the studies.
+struct FidelityLevel {
+  std::string name, preset;
+  int runs = 0;              ///< of the design that ended with a result
+  double seconds_a_run = 0;  ///< wall-clock time, mean of its completed runs
+};
+
+/// A number of a window's average [kPa] from the dear runs alone and from both.
+struct FidelityRow {
+  std::string window, quantity;  ///< mean, standard_deviation, quantile_05 ...
+  parameters::Estimate alone, combined;
+};
+
+/// How the two go along with each other in a window.
+struct FidelityWindow {
+  std::string window;
+  int paired = 0;            ///< runs that both have
+  double correlation = 0.0;  // [-]
+  double variance_ratio =
+      0.0;  ///< [-] of a mean for equal time, runs shared out best, over the dear runs alone
+  double best_run_ratio = 0.0;  ///< [-] cheap runs for each dear one at which it is reached
+};
+
+struct TwoFidelities {
+  FidelityLevel dear, cheap;
+  std::vector<FidelityWindow> windows;
+  std::vector<FidelityRow> rows;
+  /// Inputs whose index has another sign in the other study while both exceed their noise, in sentences.
+  std::vector<std::string> warnings;
+};
+
+/// Throws Error where the two are no pair: another design than a propagation, other rows, or a run whose
+/// inputs differ; it says which.
+[[nodiscard]] TwoFidelities two_fidelities(const Snapshot& dear, const Snapshot& cheap);
+
+[[nodiscard]] Table fidelity_table(const TwoFidelities& both);
+
+}  // namespace cpt::results
