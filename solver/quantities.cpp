@@ -24,7 +24,7 @@ void set_soil_height(Setup& setup, double value) {
 
 // Of an input that came after results had been stored.
 Quantity silent(Quantity quantity) {
-  quantity.silent_default = true;
+  quantity.silent_default = quantity.get(Setup());
   return quantity;
 }
 
@@ -46,10 +46,11 @@ std::vector<Quantity> soil_quantities(const std::string& soil, const Law& law) {
       throw std::logic_error("the setup has no soil " + soil);
     };
     list.push_back({soil + "." + std::string(parameter.name), std::string(parameter.symbol), parameter.unit,
-                    parameter.scale, parameter.min, parameter.max, parameter.choices, false, soil, nullptr,
+                    parameter.scale, parameter.min, parameter.max, parameter.choices, parameter.integer, soil, nullptr,
                     parameter.meaning, parameter.source,
                     [=](const Setup& setup) { return parameter.get(parameters_in(setup)); },
-                    [=](Setup& setup, double value) { parameter.set(parameters_in(setup), value); }});
+                    [=](Setup& setup, double value) { parameter.set(parameters_in(setup), value); },
+                    parameter.silent ? std::optional(parameter.get(law.defaults())) : std::nullopt});
   }
   return list;
 }
@@ -315,13 +316,12 @@ std::string Quantity::format(double study_value) const {
 }
 
 std::string canonical_text(const Setup& setup) {
-  const Setup& defaults = default_setup();
   std::string text;
   if (!default_soils(setup))
     for (const Soil& soil : setup.soils)
       text += fmt::format("soils = {} {}\n", soil.name, law_of(soil).name());
   for (const Quantity* quantity : quantities_of(setup)) {
-    if (quantity->silent_default && quantity->get(setup) == quantity->get(defaults)) continue;
+    if (quantity->silent_default == quantity->get(setup)) continue;
     const double value = quantity->value(setup);
     text += fmt::format("{} = {}", quantity->name, quantity->format(value));
     const double si = quantity->get(setup);

@@ -15,7 +15,7 @@ using solver::PointState;
 std::vector<std::optional<std::size_t>> places_of(std::string_view variable, const solver::Setup& setup) {
   std::vector<std::optional<std::size_t>> places;
   for (const solver::Soil& soil : setup.soils) {
-    const auto state = solver::law_of(soil).state(setup.mechanisms);
+    const auto state = solver::law_of(soil).state(soil.parameters, setup.mechanisms);
     const auto found = std::ranges::find(state, variable, &solver::StateVariable::name);
     places.push_back(found == state.end() ? std::nullopt
                                           : std::optional(static_cast<std::size_t>(found - state.begin())));
@@ -25,7 +25,7 @@ std::vector<std::optional<std::size_t>> places_of(std::string_view variable, con
 
 void add_state_variables(std::vector<PointQuantity>& list, const solver::Setup& setup) {
   for (const solver::Soil& soil : setup.soils)
-    for (const solver::StateVariable& variable : solver::law_of(soil).state(setup.mechanisms)) {
+    for (const solver::StateVariable& variable : solver::law_of(soil).state(soil.parameters, setup.mechanisms)) {
       if (std::ranges::find(list, variable.name, &PointQuantity::name) != list.end()) continue;
       const auto value = [places = places_of(variable.name, setup)](const PointState& s, const PointState&,
                                                                     std::size_t) {

@@ -28,8 +28,8 @@ class VaryingTresca {
   double modulus_;  // [Pa]
 };
 
-/// True if some mechanism asks for it.
-[[nodiscard]] bool strength_varies(const Mechanisms& mechanisms);
+/// True if some mechanism or the clay's random field asks for it.
+[[nodiscard]] bool strength_varies(const TrescaParameters& clay, const Mechanisms& mechanisms);
 /// s_u0 [Pa] at a depth [m].
 [[nodiscard]] double strength_at(const TrescaParameters& clay, const Mechanisms& mechanisms, double depth);
 

@@ -28,6 +28,8 @@ struct LawQuantity {
   std::string_view meaning, source;
   double (*get)(const LawParameters&);
   void (*set)(LawParameters&, double);
+  bool integer = false;  ///< must be whole
+  bool silent = false;   ///< came after results had been stored: its default leaves no trace in the settings
 };
 
 /// A state variable of a material point beside stress and void ratio; a law has at most two.
@@ -81,8 +83,10 @@ class Law {
   /// Where it departs from its source, one sentence.
   [[nodiscard]] virtual std::string_view departs() const = 0;
   [[nodiscard]] virtual std::span<const LawQuantity> quantities() const = 0;
-  /// With these mechanisms on.
-  [[nodiscard]] virtual std::span<const StateVariable> state(const Mechanisms&) const { return {}; }
+  /// Of a soil with these mechanisms on.
+  [[nodiscard]] virtual std::span<const StateVariable> state(const LawParameters&, const Mechanisms&) const {
+    return {};
+  }
   [[nodiscard]] virtual LawParameters defaults() const = 0;
 
   [[nodiscard]] virtual TreatedAs treated_as() const = 0;

@@ -183,7 +183,7 @@ class ModifiedCamClayLaw : public Law {
     static const std::vector<LawQuantity> list = make_quantities();
     return list;
   }
-  [[nodiscard]] std::span<const StateVariable> state(const Mechanisms&) const override {
+  [[nodiscard]] std::span<const StateVariable> state(const LawParameters&, const Mechanisms&) const override {
     static constexpr std::array list = {
         StateVariable{"p_c", "Pa", "size of the yield surface on the p' axis"}};
     return list;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "solver/constitutive/critical_state_line.hpp"
 #include "solver/constitutive/norsand.hpp"
@@ -21,7 +22,7 @@ constexpr std::string_view norsand_book = "Jefferies & Been (2015)";
 constexpr std::string_view numerical = "numerical setting";
 
 std::vector<LawQuantity> make_quantities() {
-  return {
+  std::vector<LawQuantity> list = {
       parameter<P, &P::e_cs0>("e_cs0", "e_cs,0", none, 0.5, 1.5, "critical state void ratio at p' = 0",
                               table_2),
       parameter<P, &P::lambda>("lambda", "λ", none, 0.001, 0.1, "slope of the critical state line", table_2),
@@ -62,6 +63,11 @@ std::vector<LawQuantity> make_quantities() {
                                           "relative error of stress and p_i allowed in one sub-step",
                                           numerical),
   };
+  std::ranges::move(
+      field_of<P, &P::D_r_field>("D_r_field_deviation_percent", "D_r_field_length_m", "D_r_field_kind",
+                                 "D_r_field_seed", percent, 100.0),
+      std::back_inserter(list));
+  return list;
 }
 
 // Initial p_i [Pa].
@@ -115,7 +121,7 @@ class NorSandLaw : public Law {
     static const std::vector<LawQuantity> list = make_quantities();
     return list;
   }
-  [[nodiscard]] std::span<const StateVariable> state(const Mechanisms&) const override {
+  [[nodiscard]] std::span<const StateVariable> state(const LawParameters&, const Mechanisms&) const override {
     static constexpr std::array list = {StateVariable{"p_i", "Pa", "image pressure"}};
     return list;
   }
@@ -133,13 +139,14 @@ class NorSandLaw : public Law {
   }
   [[nodiscard]] double grain_density(const LawParameters& p) const override { return of(p).rho_grains; }
   [[nodiscard]] bool density_varies() const override { return true; }
-  // Between e_min and e_max where a mechanism acts.
+  // Between e_min and e_max where a mechanism or a random field acts.
   [[nodiscard]] double void_ratio_at(const Setup& setup, const LawParameters& p, const LeftBehind& left,
                                      double depth) const override {
     const P& sand = of(p);
     const double e = void_ratio(p);
     const double denser =
-        setup.mechanisms.surface_compaction.at(depth) + setup.mechanisms.density_lens.at(depth);
+        setup.mechanisms.surface_compaction.at(depth) + setup.mechanisms.density_lens.at(depth) +
+        (sand.D_r_field.on() ? sand.D_r_field.at(sand.D_r, depth) - sand.D_r : 0.0);
     const double change = left.void_ratio(depth) - denser * (sand.e_max - sand.e_min);
     return change == 0.0 ? e : std::clamp(e + change, std::min(e, sand.e_min), std::max(e, sand.e_max));
   }

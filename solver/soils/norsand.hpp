@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "solver/soils/random_field.hpp"
+
 namespace cpt::solver {
 
 class Law;
@@ -36,6 +38,7 @@ struct NorSandParameters {
   double p_min = 500.0;             // [Pa] below this mean stress the sand carries none
   DeviatoricFlow flow = DeviatoricFlow::associated;
   double substep_tolerance = 1e-3;  // [-] relative error of stress and p_i allowed in one sub-step
+  RandomField D_r_field = {};       // of D_r over depth [-]
 
   [[nodiscard]] static const Law& law();
 };

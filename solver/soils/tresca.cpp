@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "solver/constitutive/tresca.hpp"
 #include "solver/constitutive/varying_tresca.hpp"
@@ -18,7 +20,7 @@ using P = TrescaParameters;
 constexpr std::string_view table_3 = "Yost et al. (2023), Table 3";
 
 std::vector<LawQuantity> make_quantities() {
-  return {
+  std::vector<LawQuantity> list = {
       parameter<P, &P::n_0>("n_0", "n₀", none, 0.1, 0.8, "initial porosity of the clay", table_3),
       parameter<P, &P::s_u>("s_u_kPa", "sᵤ", kilopascals, 1.0, 1000.0, "undrained shear strength", table_3),
       parameter<P, &P::G>("G_kPa", "G", kilopascals, 10.0, 1.0e5, "shear modulus of the clay", table_3),
@@ -28,6 +30,10 @@ std::vector<LawQuantity> make_quantities() {
                                    3500.0, "density of the clay's grains",
                                    "typical of clay minerals; not given by Yost et al. (2023)"),
   };
+  std::ranges::move(field_of<P, &P::s_u_field>("s_u_field_deviation_kPa", "s_u_field_length_m",
+                                               "s_u_field_kind", "s_u_field_seed", kilopascals, 1000.0),
+                    std::back_inserter(list));
+  return list;
 }
 
 class Uniform : public SoilModel {
@@ -76,11 +82,12 @@ class TrescaLaw : public Law {
     static const std::vector<LawQuantity> list = make_quantities();
     return list;
   }
-  [[nodiscard]] std::span<const StateVariable> state(const Mechanisms& mechanisms) const override {
+  [[nodiscard]] std::span<const StateVariable> state(const LawParameters& p,
+                                                     const Mechanisms& mechanisms) const override {
     static constexpr std::array list = {
         StateVariable{"s_u0", "Pa", "undrained shear strength before softening and rate"},
         StateVariable{"gamma_p", "-", "accumulated plastic shear strain"}};
-    if (!strength_varies(mechanisms)) return {};
+    if (!strength_varies(of(p), mechanisms)) return {};
     return list;
   }
   [[nodiscard]] LawParameters defaults() const override { return P{}; }
@@ -99,7 +106,7 @@ class TrescaLaw : public Law {
 
   [[nodiscard]] std::unique_ptr<const SoilModel> model(const LawParameters& p,
                                                        const Mechanisms& mechanisms) const override {
-    if (strength_varies(mechanisms)) return std::make_unique<Varying>(of(p), mechanisms);
+    if (strength_varies(of(p), mechanisms)) return std::make_unique<Varying>(of(p), mechanisms);
     return std::make_unique<Uniform>(of(p));
   }
 
@@ -109,6 +116,24 @@ class TrescaLaw : public Law {
  private:
   static const P& of(const LawParameters& p) { return std::get<P>(p); }
 };
+
+// A field may fall below what the initial stresses need.
+std::vector<Problem> weak_field_problem(const Setup& setup, const Layer& layer, double K_0) {
+  const Soil& clay = setup.soils[layer.soil];
+  const RandomField& field = as<P>(clay).s_u_field;
+  if (!field.on()) return {};
+  constexpr double step = 1e-3;  // [m]
+  for (double depth = layer.top; depth <= layer.bottom; depth += step) {
+    const double s_u = strength_at(as<P>(clay), setup.mechanisms, depth);
+    const double needed = 0.5 * std::abs(1.0 - K_0) * vertical_stress(setup, -depth);
+    if (s_u >= needed) continue;
+    const std::string seed = clay.name + ".s_u_field_seed";
+    return {{seed, fmt::format("{} makes s_u = {:.3g} kPa at {:.3f} m, below the {:.3g} kPa that the initial stresses "
+                               "there need",
+                               given(setup, seed), s_u / 1e3, depth, needed / 1e3)}};
+  }
+  return {};
+}
 
 // At the wall its friction comes on top of the stress difference.
 std::vector<Problem> wall_shear_problem(const Setup& setup, const Layer& layer, double K_0) {
@@ -137,6 +162,7 @@ std::vector<Problem> TrescaLaw::problems(const Setup& setup, std::size_t soil, b
     if (layer.soil != soil) continue;
     const double q = std::abs(1.0 - K_0) * vertical_stress(setup, -layer.bottom);
     if (q <= 2.0 * of(clay.parameters).s_u) {
+      if (const std::vector<Problem> weak = weak_field_problem(setup, layer, K_0); !weak.empty()) return weak;
       const std::vector<Problem> found = wall_shear_problem(setup, layer, K_0);
       if (!found.empty()) return found;
       continue;

@@ -1,6 +1,8 @@
 // Undrained clay as Tresca has it: the parameters of a soil of this law.
 #pragma once
 
+#include "solver/soils/random_field.hpp"
+
 namespace cpt::solver {
 
 class Law;
@@ -12,6 +14,7 @@ struct TrescaParameters {
   double G = 552.0e3;          // [Pa] shear modulus
   double nu = 0.4995;          // [-] undrained Poisson's ratio
   double rho_grains = 2700.0;  // [kg/m3] density of the grains
+  RandomField s_u_field = {};  // of s_u over depth [Pa]
 
   [[nodiscard]] static const Law& law();
 };

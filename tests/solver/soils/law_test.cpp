@@ -19,7 +19,7 @@ TEST(Laws, AreFoundByTheirNames) {
     EXPECT_TRUE(names.insert(law->name()).second) << law->name();
     for (const std::string_view text : {law->title(), law->models(), law->source(), law->departs()})
       EXPECT_FALSE(text.empty()) << law->name();
-    EXPECT_LE(law->state({}).size(), most_state_variables) << law->name();
+    EXPECT_LE(law->state(law->defaults(), {}).size(), most_state_variables) << law->name();
   }
   EXPECT_EQ(find_law("hooke"), nullptr);
 }
