@@ -55,6 +55,7 @@ class CorrelationReader {
   std::optional<std::size_t> row_named(const Member& member, const std::string& key) {
     std::vector<std::string_view> names;
     for (const std::size_t row : design_.rows) {
+      if (rows_[row].only_drawn()) continue;
       names.push_back(rows_[row].quantity->name);
       if (names.back() != member.key) continue;
       if (rows_[row].marginal != nullptr) return row;

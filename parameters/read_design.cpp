@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <type_traits>
 
 #include "parameters/designs/design.hpp"
@@ -76,11 +75,14 @@ class DesignReader {
       return member == nullptr;
     }
     if (member == nullptr) {
-      design_.rows.resize(std::min(rows_.size(), kind_->usual_rows));
-      std::iota(design_.rows.begin(), design_.rows.end(), std::size_t{0});
+      for (std::size_t row = 0; row < rows_.size(); ++row)
+        if (!rows_[row].only_drawn() && design_.rows.size() < kind_->usual_rows) design_.rows.push_back(row);
     } else if (!read_names(*member)) {
       return false;
     }
+    // Last, so that a field leaves the places of the other rows as they are.
+    for (std::size_t row = 0; row < rows_.size() && kind_->draws_fields; ++row)
+      if (rows_[row].only_drawn()) design_.rows.push_back(row);
     if (design_.rows.size() >= kind_->least_rows) return true;
     if (rows_sound_)
       errors_.add(
@@ -108,8 +110,9 @@ class DesignReader {
   }
 
   std::optional<std::size_t> row_named(const Value& name) {
-    const auto row =
-        std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.quantity->name == name.text; });
+    const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) {
+      return r.quantity->name == name.text && !r.only_drawn();
+    });
     const auto index = static_cast<std::size_t>(row - rows_.begin());
     if (row == rows_.end()) {
       // A row with an error of its own is not among the rows.
@@ -117,7 +120,8 @@ class DesignReader {
                         (!rows_sound_ && solver::find_quantity(name.text, setup_) != nullptr);
       if (!told) {
         std::vector<std::string_view> names;
-        for (const Row& r : rows_) names.push_back(r.quantity->name);
+        for (const Row& r : rows_)
+          if (!r.only_drawn()) names.push_back(r.quantity->name);
         const std::string_view near = nearest_name(name.text, names);
         errors_.add(name.place, "design.parameters",
                     fmt::format("\"{}\" is no row of [parameters]", name.text),

@@ -13,6 +13,7 @@
 #include "parameters/distributions/library.hpp"
 #include "parameters/distributions/read_distribution.hpp"
 #include "parameters/nearest_name.hpp"
+#include "parameters/read_field.hpp"
 #include "parameters/study_keys.hpp"
 #include "parameters/unknown_quantity.hpp"
 #include "solver/soils/law.hpp"
@@ -262,6 +263,10 @@ class QuantitiesReader {
     }
     const double value = baseline.value.value_or(quantity.value(setup_));
     if (baseline.value) sections_.settings.push_back({named.quantity, value, named.key, named.member->place});
+    if (const Member* member = table.find("field")) {
+      if (!add_field(named, *member, value)) return doubt(named);
+      if (!lower.value && !upper.value && !alternative.value) return;
+    }
 
     const bool lower_in_order = not_crossed(named, value, lower, "lower");
     const bool in_order = not_crossed(named, value, upper, "upper") && lower_in_order;
@@ -316,6 +321,14 @@ class QuantitiesReader {
                             is_lower ? "above" : "below", quantity.format(baseline)),
                 "lower <= baseline <= upper");
     return false;
+  }
+
+  bool add_field(const Named& named, const Member& member, double mean) {
+    auto field = read_field(member, *named.quantity, mean, setup_, joined(named.key, "field"), errors_);
+    if (!field) return false;
+    for (Setting& setting : field->settings) sections_.settings.push_back(std::move(setting));
+    sections_.rows.push_back({std::move(field->seed), member.place, member.place});
+    return true;
   }
 
   void add_row(const Named& named, double baseline, const Bound& lower, const Bound& upper,

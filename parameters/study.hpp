@@ -24,6 +24,8 @@ struct Row {
   double lower;                                        ///< equal to baseline where one-sided
   double upper;                                        ///< equal to baseline where one-sided
   std::shared_ptr<const Marginal> marginal = nullptr;  ///< how it is distributed; none: within its bounds
+  /// The seed of a random field: it has no bounds, and designs that sample draw it.
+  [[nodiscard]] bool only_drawn() const { return marginal != nullptr && lower == upper; }
 };
 
 /// Spearman's rank correlation of two rows, indices into Study::rows.

@@ -66,7 +66,11 @@ std::vector<KeyTable> listed_tables() {
         {"distribution", "table", "none",
          "how likely which values are; without them the baseline is its median, lower and upper its 5 and 95 "
          "% "
-         "quantiles"}}},
+         "quantiles"},
+        {"field", "{ standard_deviation or cv, correlation_length_m, kind }", "none",
+         "it varies over depth about the baseline as a random field, lognormal or normal; propagation and "
+         "sobol draw "
+         "one for every run"}}},
       {"points",
        true,
        "a realization with several quantities changed at once: \"NAME\" = VALUE",

@@ -46,8 +46,8 @@ std::vector<Quantity> soil_quantities(const std::string& soil, const Law& law) {
       throw std::logic_error("the setup has no soil " + soil);
     };
     list.push_back({soil + "." + std::string(parameter.name), std::string(parameter.symbol), parameter.unit,
-                    parameter.scale, parameter.min, parameter.max, parameter.choices, parameter.integer, soil, nullptr,
-                    parameter.meaning, parameter.source,
+                    parameter.scale, parameter.min, parameter.max, parameter.choices, parameter.integer, soil,
+                    nullptr, parameter.meaning, parameter.source,
                     [=](const Setup& setup) { return parameter.get(parameters_in(setup)); },
                     [=](Setup& setup, double value) { parameter.set(parameters_in(setup), value); },
                     parameter.silent ? std::optional(parameter.get(law.defaults())) : std::nullopt});

@@ -33,8 +33,8 @@ struct Quantity {
   std::string_view source;                  ///< where the default or range comes from
   std::function<double(const Setup&)> get;  ///< value in SI (index into `choices` for a choice)
   std::function<void(Setup&, double)> set;  ///< value in SI (index into `choices` for a choice)
-  /// [SI] Left out of canonical_text at this value, its default, so that results stored before it was listed stay
-  /// valid.
+  /// [SI] Left out of canonical_text at this value, its default, so that results stored before it was listed
+  /// stay valid.
   std::optional<double> silent_default = {};
 
   /// Value in study units, the index for a choice: the shortest number that set_value turns into the same SI

@@ -29,6 +29,8 @@ struct DesignKind {
   bool samples = false;
   /// Its rows may be correlated; its numbers do not take them for independent.
   bool dependent = false;
+  /// Draws the seeds of random fields; else every run has that of the baseline.
+  bool draws_fields = false;
   /// Knows the keys `sampling` and `until`.
   bool propagates = false;
   /// Runs that it asks for, before any is made.

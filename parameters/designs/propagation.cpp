@@ -154,6 +154,7 @@ DesignKind propagation_design() {
           .keys = {{"runs", 100.0}, {"seed", 1.0}},
           .samples = true,
           .dependent = true,
+          .draws_fields = true,
           .propagates = true,
           .run_count = [](const Design& design) { return long{design.runs}; },
           .places =

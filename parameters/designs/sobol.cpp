@@ -80,6 +80,7 @@ DesignKind sobol_design() {
       .name = "sobol",
       .keys = {{"runs", 64.0}, {"seed", 1.0}},
       .samples = true,
+      .draws_fields = true,
       .run_count = [](const Design& design) { return long{design.runs} * (width_of(design) + 2); },
       .places = [](const Design& design) { return sobol_places(width_of(design), design.runs, design.seed); },
       .run_name =

@@ -25,7 +25,8 @@ std::vector<std::optional<std::size_t>> places_of(std::string_view variable, con
 
 void add_state_variables(std::vector<PointQuantity>& list, const solver::Setup& setup) {
   for (const solver::Soil& soil : setup.soils)
-    for (const solver::StateVariable& variable : solver::law_of(soil).state(soil.parameters, setup.mechanisms)) {
+    for (const solver::StateVariable& variable :
+         solver::law_of(soil).state(soil.parameters, setup.mechanisms)) {
       if (std::ranges::find(list, variable.name, &PointQuantity::name) != list.end()) continue;
       const auto value = [places = places_of(variable.name, setup)](const PointState& s, const PointState&,
                                                                     std::size_t) {

@@ -21,8 +21,8 @@ bool strength_varies(const TrescaParameters& clay, const Mechanisms& mechanisms)
 double strength_at(const TrescaParameters& clay, const Mechanisms& mechanisms, double depth) {
   const double weakest = 0.01 * clay.s_u;  // a falling gradient does not end in negative strength
   const double s_u = clay.s_u_field.at(clay.s_u, depth);
-  return std::max(
-      weakest, s_u * (1.0 + mechanisms.clay_crust.at(depth)) + mechanisms.strength_gradient.at(depth));
+  return std::max(weakest,
+                  s_u * (1.0 + mechanisms.clay_crust.at(depth)) + mechanisms.strength_gradient.at(depth));
 }
 
 }  // namespace cpt::solver

@@ -62,12 +62,13 @@ LawQuantity alternative(std::string_view name, std::string_view symbol, std::vec
           set_parameter<Parameters, Member>};
 }
 
-/// What a random field of one of a law's parameters consists of; named after the parameter, whose unit its deviation
-/// has. `most` is the largest deviation in that unit.
+/// What a random field of one of a law's parameters consists of; named after the parameter, whose unit its
+/// deviation has. `most` is the largest deviation in that unit.
 template <class Parameters, auto Field>
 std::vector<LawQuantity> field_of(std::string_view deviation, std::string_view length, std::string_view kind,
                                   std::string_view seed, Unit unit, double most) {
-  constexpr std::string_view source = "Vanmarcke (1983), section 5.1; Phoon & Kulhawy (1999) for usual values";
+  constexpr std::string_view source =
+      "Vanmarcke (1983), section 5.1; Phoon & Kulhawy (1999) for usual values";
   const auto part = []<auto Member>() {
     return std::pair<double (*)(const LawParameters&), void (*)(LawParameters&, double)>{
         [](const LawParameters& p) { return static_cast<double>((std::get<Parameters>(p).*Field).*Member); },
@@ -84,16 +85,58 @@ std::vector<LawQuantity> field_of(std::string_view deviation, std::string_view l
              length_part = part.template operator()<&RandomField::length>(),
              kind_part = part.template operator()<&RandomField::kind>(),
              seed_part = part.template operator()<&RandomField::seed>();
-  return {{deviation, "σ_field", unit.text, unit.scale, 0.0, most, {},
-           "standard deviation of its random field over depth; 0: it is uniform", source,
-           deviation_part.first, deviation_part.second, false, true},
-          {length, "δ_field", metres.text, metres.scale, 0.01, 100.0, {},
-           "correlation length of that field, half its scale of fluctuation", source, length_part.first,
-           length_part.second, false, true},
-          {kind, "field", none.text, none.scale, 0.0, 1.0, {"normal", "lognormal"},
-           "how the field's values are distributed", source, kind_part.first, kind_part.second, false, true},
-          {seed, "field", none.text, none.scale, 1.0, 4294967296.0, {}, "which of all such fields it is", source,
-           seed_part.first, seed_part.second, true, true}};
+  return {{deviation,
+           "σ_field",
+           unit.text,
+           unit.scale,
+           0.0,
+           most,
+           {},
+           "standard deviation of its random field over depth; 0: it is uniform",
+           source,
+           deviation_part.first,
+           deviation_part.second,
+           false,
+           true},
+          {length,
+           "δ_field",
+           metres.text,
+           metres.scale,
+           0.01,
+           100.0,
+           {},
+           "correlation length of that field, half its scale of fluctuation",
+           source,
+           length_part.first,
+           length_part.second,
+           false,
+           true},
+          {kind,
+           "field",
+           none.text,
+           none.scale,
+           0.0,
+           1.0,
+           {"normal", "lognormal"},
+           "how the field's values are distributed",
+           source,
+           kind_part.first,
+           kind_part.second,
+           false,
+           true},
+          {seed,
+           "field",
+           none.text,
+           none.scale,
+           1.0,
+           4294967296.0,
+           {},
+           "which of all such fields it is",
+           source,
+           seed_part.first,
+           seed_part.second,
+           true,
+           true}};
 }
 
 }  // namespace cpt::solver

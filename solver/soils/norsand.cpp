@@ -63,10 +63,9 @@ std::vector<LawQuantity> make_quantities() {
                                           "relative error of stress and p_i allowed in one sub-step",
                                           numerical),
   };
-  std::ranges::move(
-      field_of<P, &P::D_r_field>("D_r_field_deviation_percent", "D_r_field_length_m", "D_r_field_kind",
-                                 "D_r_field_seed", percent, 100.0),
-      std::back_inserter(list));
+  std::ranges::move(field_of<P, &P::D_r_field>("D_r_field_deviation_percent", "D_r_field_length_m",
+                                               "D_r_field_kind", "D_r_field_seed", percent, 100.0),
+                    std::back_inserter(list));
   return list;
 }
 
@@ -144,9 +143,9 @@ class NorSandLaw : public Law {
                                      double depth) const override {
     const P& sand = of(p);
     const double e = void_ratio(p);
-    const double denser =
-        setup.mechanisms.surface_compaction.at(depth) + setup.mechanisms.density_lens.at(depth) +
-        (sand.D_r_field.on() ? sand.D_r_field.at(sand.D_r, depth) - sand.D_r : 0.0);
+    const double denser = setup.mechanisms.surface_compaction.at(depth) +
+                          setup.mechanisms.density_lens.at(depth) +
+                          (sand.D_r_field.on() ? sand.D_r_field.at(sand.D_r, depth) - sand.D_r : 0.0);
     const double change = left.void_ratio(depth) - denser * (sand.e_max - sand.e_min);
     return change == 0.0 ? e : std::clamp(e + change, std::min(e, sand.e_min), std::max(e, sand.e_max));
   }

@@ -29,8 +29,8 @@ double at_node(std::uint64_t seed, std::uint64_t node, double length) {
     const std::uint64_t middle = (low + high) / 2;
     const double rho = std::exp(-node_spacing * static_cast<double>(middle - low) / length);
     const double share = 1.0 + rho * rho;
-    const double value = rho / share * (left + right) +
-                         std::sqrt((1.0 - rho * rho) / share) * normal_of(seed, middle);
+    const double value =
+        rho / share * (left + right) + std::sqrt((1.0 - rho * rho) / share) * normal_of(seed, middle);
     (node < middle ? high : low) = middle;
     (node < middle ? right : left) = value;
   }

@@ -1,13 +1,14 @@
-// A soil parameter that varies over depth as nature left it: a stationary random field with a Markov correlation
-// (Vanmarcke 1983, Random Fields: Analysis and Synthesis, section 5.1).
+// A soil parameter that varies over depth as nature left it: a stationary random field with a Markov
+// correlation (Vanmarcke 1983, Random Fields: Analysis and Synthesis, section 5.1).
 //
 //   normal:     x(z) = mean + deviation g(z)
 //   lognormal:  x(z) = mean exp(zeta g(z) - zeta^2 / 2),  zeta^2 = ln(1 + (deviation / mean)^2)
 //   g(z): standard normal, correlation of g(z) and g(z + t): exp(-|t| / length)
 //
-// The scale of fluctuation is twice the length. g is a pure function of seed and depth, exact at every millimetre and
-// linear between: from the ends of a long interval inwards, each middle is drawn given both ends (Levy's construction
-// for an Ornstein-Uhlenbeck process), so that no mesh and no other depth changes it.
+// The scale of fluctuation is twice the length. g is a pure function of seed and depth, exact at every
+// millimetre and linear between: from the ends of a long interval inwards, each middle is drawn given both
+// ends (Levy's construction for an Ornstein-Uhlenbeck process), so that no mesh and no other depth changes
+// it.
 #pragma once
 
 #include <cstdint>

@@ -128,9 +128,11 @@ std::vector<Problem> weak_field_problem(const Setup& setup, const Layer& layer, 
     const double needed = 0.5 * std::abs(1.0 - K_0) * vertical_stress(setup, -depth);
     if (s_u >= needed) continue;
     const std::string seed = clay.name + ".s_u_field_seed";
-    return {{seed, fmt::format("{} makes s_u = {:.3g} kPa at {:.3f} m, below the {:.3g} kPa that the initial stresses "
-                               "there need",
-                               given(setup, seed), s_u / 1e3, depth, needed / 1e3)}};
+    return {
+        {seed,
+         fmt::format("{} makes s_u = {:.3g} kPa at {:.3f} m, below the {:.3g} kPa that the initial stresses "
+                     "there need",
+                     given(setup, seed), s_u / 1e3, depth, needed / 1e3)}};
   }
   return {};
 }

@@ -33,7 +33,8 @@ TEST(RandomField, HasUnitVarianceAndTheMarkovCorrelation) {
   }
 }
 
-// Vanmarcke (1983), eq. 5.1.14, of a mean over a length: the variance is less by 2 (d/L)^2 (L/d - 1 + exp(-L/d)).
+// Vanmarcke (1983), eq. 5.1.14, of a mean over a length: the variance is less by 2 (d/L)^2 (L/d - 1 +
+// exp(-L/d)).
 TEST(RandomField, AveragesLikeAMarkovField) {
   constexpr int fields = 2000;
   const double length = 0.05, L = 0.2, ratio = length / L;
