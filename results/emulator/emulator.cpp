@@ -1,0 +1,108 @@
+#include "results/emulator/emulator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cpt::results {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// A process among those whose variances are added up, given the candidates taken so far.
+struct Watched {
+  const GaussianProcess* process;
+  double weight;              // one over the variance of the output over the runs
+  VectorXd variance;          // at each candidate
+  std::vector<VectorXd> cut;  // of each candidate taken: covariances with it over its deviation
+};
+
+std::vector<Watched> watched(const Emulator& emulator, const MatrixXd& candidates) {
+  std::vector<Watched> all;
+  for (const EmulatedOutput& output : emulator.outputs) {
+    const std::vector<GaussianProcess>& processes = output.emulator.processes();
+    double power = 0.0;
+    for (const GaussianProcess& process : processes)
+      power += (process.values().array() - process.values().mean()).square().mean();
+    for (const GaussianProcess& process : processes)
+      all.push_back({&process, 1.0 / power, process.mean_variance(candidates), {}});
+  }
+  return all;
+}
+
+void take(Watched& of, const MatrixXd& candidates, Index taken) {
+  VectorXd covariance = of.process->mean_covariance(candidates, candidates.row(taken));
+  for (const VectorXd& cut : of.cut) covariance -= cut * cut(taken);
+  const double own = covariance(taken) + of.process->noise();
+  if (!(own > 0.0)) return;
+  covariance /= std::sqrt(own);
+  of.variance = (of.variance - covariance.cwiseAbs2()).cwiseMax(0.0);
+  of.cut.push_back(std::move(covariance));
+}
+
+}  // namespace
+
+double EmulatorInput::place(double value) const {
+  if (logarithmic) return std::log(value / lower) / std::log(upper / lower);
+  return (value - lower) / (upper - lower);
+}
+
+std::string EmulatorInput::text(double value) const {
+  if (!choices.empty()) return choices[value == lower ? 0 : 1];
+  return fmt::format("{}", value);
+}
+
+std::string EmulatorInput::range() const {
+  if (!choices.empty()) return fmt::format("{} or {}", choices[0], choices[1]);
+  return fmt::format("{}{:.6g} to {:.6g}{}", integer ? "whole, " : "", lower, upper,
+                     unit == "-" ? "" : " " + unit);
+}
+
+std::string out_of_range(const EmulatorInput& input, double value) {
+  const bool within = input.choices.empty() ? value >= input.lower && value <= input.upper
+                                            : value == input.lower || value == input.upper;
+  if (within && (!input.integer || value == std::floor(value))) return "";
+  return fmt::format("must be {}", input.range());
+}
+
+const EmulatorInput* Emulator::input(std::string_view name) const {
+  const auto found = std::ranges::find(inputs, name, &EmulatorInput::name);
+  return found == inputs.end() ? nullptr : &*found;
+}
+
+const EmulatedOutput* Emulator::output(std::string_view name) const {
+  const auto found = std::ranges::find(outputs, name, &EmulatedOutput::name);
+  return found == outputs.end() ? nullptr : &*found;
+}
+
+MatrixXd Emulator::places(const MatrixXd& values) const {
+  MatrixXd at(values.rows(), values.cols());
+  for (Index i = 0; i < at.rows(); ++i)
+    for (Index j = 0; j < at.cols(); ++j) at(i, j) = inputs[static_cast<std::size_t>(j)].place(values(i, j));
+  return at;
+}
+
+std::string refusal_of(const EmulatedOutput& output) {
+  if (!output.validation.refused()) return "";
+  return fmt::format("Q2 = {:.3g} on held-out runs, below {}", output.validation.q2, least_emulator_q2);
+}
+
+std::vector<Index> worst_places(const Emulator& emulator, const MatrixXd& candidates, Index count) {
+  std::vector<Watched> all = watched(emulator, candidates);
+  std::vector<Index> taken;
+  while (static_cast<Index>(taken.size()) < std::min(count, candidates.rows())) {
+    VectorXd total = VectorXd::Zero(candidates.rows());
+    for (const Watched& of : all) total += of.weight * of.variance;
+    for (const Index before : taken) total(before) = -1.0;
+    Index worst = 0;
+    total.maxCoeff(&worst);
+    taken.push_back(worst);
+    for (Watched& of : all) take(of, candidates, worst);
+  }
+  return taken;
+}
+
+}  // namespace cpt::results
