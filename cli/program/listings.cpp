@@ -225,7 +225,9 @@ Table commands(bool) {
        {"campaign element triaxial",
         "also `oedometer`, `isotropic`: single elements through the same constitutive code"},
        {"campaign element calibrate TEST.csv",
-        "finds H from drained triaxial tests by matching their initial stiffness"},
+        "finds H from drained triaxial tests by matching their initial stiffness; with `--fit all` every "
+        "NorSand "
+        "parameter that triaxial and oedometer tests tell, with intervals (laws.md)"},
        {"campaign recording FILE",
         "what a measured sounding holds, what is odd about it, and its plot (recordings.md)"},
        {"campaign diagnose REQUEST",

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -12,9 +13,16 @@
 #include "cli/common/set_quantity.hpp"
 #include "cli/common/study_argument.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/soils/fit_plot.hpp"
+#include "cli/soils/joint_fit_tables.hpp"
 #include "parameters/calibration/hardening.hpp"
+#include "parameters/calibration/joint_fit.hpp"
+#include "parameters/calibration/read_oedometer_curve.hpp"
 #include "parameters/calibration/read_triaxial_curve.hpp"
 #include "parameters/calibration/trend.hpp"
+#include "parameters/nearest_name.hpp"
+#include "reports/figure_files.hpp"
+#include "reports/picture_files.hpp"
 #include "results/tables/table_format.hpp"
 #include "solver/presets.hpp"
 
@@ -28,15 +36,35 @@ struct CalibrateArguments {
   std::vector<std::string> settings;                // name=value
   std::optional<double> D_r_percent, e_0, p_0_kPa;  // in place of the files'
   calibration::HardeningOptions options;
-  std::filesystem::path csv;
+  std::string fit;  // "all" or names between commas; empty: H of each test
+  std::filesystem::path csv, toml, plot;
 };
 
-// What the command line says of density and stress holds for every file. Throws BadInput with all that is
-// wrong with all files.
-std::vector<calibration::TriaxialCurve> read_curves(const CalibrateArguments& arguments) {
+// What the command line says of density and stress holds for every triaxial test.
+void complete(const CalibrateArguments& arguments, const std::filesystem::path& file,
+              calibration::TriaxialCurve& curve, std::vector<calibration::CurveProblem>& problems) {
+  if (arguments.D_r_percent || arguments.e_0) {
+    curve.D_r = arguments.D_r_percent ? *arguments.D_r_percent * percent : calibration::not_given;
+    curve.e_0 = arguments.e_0.value_or(calibration::not_given);
+  }
+  if (arguments.p_0_kPa) curve.p_0 = *arguments.p_0_kPa * kPa;
+  if (std::isnan(curve.p_0))
+    problems.push_back({file.string(), 0, 0, "no stress: add '# p0_kPa = X' or give --p0_kPa"});
+  if (std::isnan(curve.D_r) && std::isnan(curve.e_0))
+    problems.push_back({file.string(), 0, 0,
+                        "no density: add '# D_r_percent = X' or '# e0 = X', or give --D_r_percent or --e0"});
+}
+
+// Throws BadInput with all that is wrong with all files.
+calibration::LaboratoryTests read_tests(const CalibrateArguments& arguments) {
   if (arguments.D_r_percent && arguments.e_0) throw BadInput("give either --D_r_percent or --e0");
-  std::vector<calibration::TriaxialCurve> curves;
+  calibration::LaboratoryTests tests;
   std::vector<calibration::CurveProblem> problems;
+  const auto sound = [&](auto&& read) {
+    const auto* found = std::get_if<std::vector<calibration::CurveProblem>>(&read);
+    if (found != nullptr) problems.insert(problems.end(), found->begin(), found->end());
+    return found == nullptr;
+  };
   std::string told;  // of files that cannot be read
   for (const std::filesystem::path& file : arguments.files) {
     std::string text;
@@ -46,29 +74,22 @@ std::vector<calibration::TriaxialCurve> read_curves(const CalibrateArguments& ar
       told += unreadable.what() + std::string("\n");
       continue;
     }
-    auto read = calibration::parse_triaxial_curve(text, file);
-    if (const auto* found = std::get_if<std::vector<calibration::CurveProblem>>(&read)) {
-      problems.insert(problems.end(), found->begin(), found->end());
-      continue;
+    if (calibration::is_oedometer_curve(text)) {
+      if (arguments.fit.empty())
+        problems.push_back(
+            {file.string(), 0, 0, "is an oedometer test, which plays a part with --fit alone"});
+      if (auto read = calibration::parse_oedometer_curve(text, file); sound(read))
+        tests.oedometer.push_back(std::get<calibration::OedometerCurve>(std::move(read)));
+    } else if (auto read = calibration::parse_triaxial_curve(text, file); sound(read)) {
+      auto& curve = std::get<calibration::TriaxialCurve>(read);
+      complete(arguments, file, curve, problems);
+      tests.triaxial.push_back(std::move(curve));
     }
-    auto& curve = std::get<calibration::TriaxialCurve>(read);
-    if (arguments.D_r_percent || arguments.e_0) {
-      curve.D_r = arguments.D_r_percent ? *arguments.D_r_percent * percent : calibration::not_given;
-      curve.e_0 = arguments.e_0.value_or(calibration::not_given);
-    }
-    if (arguments.p_0_kPa) curve.p_0 = *arguments.p_0_kPa * kPa;
-    if (std::isnan(curve.p_0))
-      problems.push_back({file.string(), 0, 0, "no stress: add '# p0_kPa = X' or give --p0_kPa"});
-    if (std::isnan(curve.D_r) && std::isnan(curve.e_0))
-      problems.push_back(
-          {file.string(), 0, 0,
-           "no density: add '# D_r_percent = X' or '# e0 = X', or give --D_r_percent or --e0"});
-    curves.push_back(std::move(curve));
   }
   told += calibration::format(problems);
   while (told.ends_with('\n')) told.pop_back();
   if (!told.empty()) throw BadInput(told);
-  return curves;
+  return tests;
 }
 
 results::Table fit_table(const std::vector<calibration::TriaxialCurve>& curves,
@@ -95,17 +116,13 @@ void print_trends(const std::vector<calibration::HardeningFit>& fits) {
                t->by_psi, t->by_p, t->r_squared, t->tests);
 }
 
-int calibrate(const CalibrateArguments& arguments) {
-  if (arguments.options.H_lower >= arguments.options.H_upper)
-    throw BadInput("--H_lower must be less than --H_upper");
-  solver::Setup setup = solver::make_setup(solver::Profile::homogeneous_sand, solver::Preset::standard);
-  for (const std::string& setting : arguments.settings) set_quantity(setup, setting, "sand.");
-  const auto curves = read_curves(arguments);
+// H of each test by itself.
+int fit_hardening_of_each(const CalibrateArguments& arguments,
+                          const std::vector<calibration::TriaxialCurve>& curves,
+                          const solver::NorSandParameters& sand) {
   std::vector<calibration::HardeningFit> fits;
   for (const calibration::TriaxialCurve& curve : curves)
-    fits.push_back(calibration::fit_hardening(
-        curve, solver::as<solver::NorSandParameters>(setup.soils[solver::default_sand]), arguments.options));
-
+    fits.push_back(calibration::fit_hardening(curve, sand, arguments.options));
   const results::Table table = fit_table(curves, fits);
   fmt::print("{}", results::format(table, results::Format::table));
   print_trends(fits);
@@ -115,12 +132,82 @@ int calibrate(const CalibrateArguments& arguments) {
   return all_well;
 }
 
+std::vector<const calibration::FitParameter*> parameters_to_fit(const std::string& text) {
+  std::vector<std::string_view> names;
+  for (const calibration::FitParameter& parameter : calibration::fit_parameters())
+    names.push_back(parameter.quantity->name);
+  std::vector<const calibration::FitParameter*> free;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    const std::string name = text.substr(from, to - from);
+    from = to + 1;
+    if (name == "all") {
+      for (const calibration::FitParameter& parameter : calibration::fit_parameters())
+        free.push_back(&parameter);
+    } else if (const auto* parameter = calibration::find_fit_parameter(name)) {
+      free.push_back(parameter);
+    } else {
+      const std::string_view near = parameters::nearest_name(name, names);
+      throw BadInput(fmt::format(
+          "--fit {}: there is no parameter '{}' to fit{}; there are {}, or all of them: all", text, name,
+          near.empty() ? "" : fmt::format("; did you mean {}?", near), fmt::join(names, ", ")));
+    }
+  }
+  return free;
+}
+
+// All that is free, over all tests at once.
+int fit_all_tests(const CalibrateArguments& arguments, const calibration::LaboratoryTests& tests,
+                  const solver::NorSandParameters& sand) {
+  const auto ending = arguments.plot.extension();
+  if (!arguments.plot.empty() && ending != ".svg" && ending != ".png")
+    throw BadInput(fmt::format("--plot {}: must end in .svg or .png", arguments.plot.string()));
+  const calibration::JointFit fit = calibration::fit_jointly(tests, sand, parameters_to_fit(arguments.fit));
+  const auto print = [](const results::Table& table) {
+    if (!table.rows.empty()) fmt::print("{}\n", results::format(table, results::Format::table));
+  };
+  print(ends_table(fit));
+  for (const calibration::FirstEstimate& estimate : fit.first.estimates)
+    fmt::print("by hand {} = {:.4g}: {}\n", estimate.parameter->quantity->name, estimate.value, estimate.how);
+  if (!fit.first.estimates.empty()) fmt::print("\n");
+  const results::Table table = parameters_table(fit);
+  print(table);
+  if (!arguments.csv.empty()) results::write_csv(arguments.csv, table);
+  if (!fit.problem.empty()) throw BadInput(fit.problem);
+  print(correlation_table(fit));
+  print(channels_table(fit));
+  print(misfit_table(tests, fit));
+  fmt::print("{}", verdict(fit));
+  if (!arguments.toml.empty()) reports::write_text(arguments.toml, study_lines(fit));
+  if (arguments.plot.empty()) return all_well;
+  const std::string svg = fit_plot(tests, fit.sand);
+  if (ending == ".png")
+    reports::write_png(svg, arguments.plot);
+  else
+    reports::write_text(arguments.plot, svg);
+  return all_well;
+}
+
+int calibrate(const CalibrateArguments& arguments) {
+  if (arguments.options.H_lower >= arguments.options.H_upper)
+    throw BadInput("--H_lower must be less than --H_upper");
+  if (arguments.fit.empty() && !(arguments.toml.empty() && arguments.plot.empty()))
+    throw BadInput("--toml and --plot need --fit");
+  solver::Setup setup = solver::make_setup(solver::Profile::homogeneous_sand, solver::Preset::standard);
+  for (const std::string& setting : arguments.settings) set_quantity(setup, setting, "sand.");
+  const auto& sand = solver::as<solver::NorSandParameters>(setup.soils[solver::default_sand]);
+  const calibration::LaboratoryTests tests = read_tests(arguments);
+  return arguments.fit.empty() ? fit_hardening_of_each(arguments, tests.triaxial, sand)
+                               : fit_all_tests(arguments, tests, sand);
+}
+
 }  // namespace
 
 void add_calibrate(CLI::App& element, Action& action) {
   auto arguments = std::make_shared<CalibrateArguments>();
   CLI::App* sub = element.add_subcommand(
-      "calibrate", "Find NorSand's H from drained triaxial tests by matching their initial stiffness");
+      "calibrate",
+      "Find NorSand's parameters from drained triaxial and oedometer tests: H of each, or all at once");
   const auto number = [sub](const char* option, auto& value, const char* what) {
     return sub->add_option(option, value, what)->type_name("X");
   };
@@ -136,8 +223,17 @@ void add_calibrate(CLI::App& element, Action& action) {
   sub->add_option("--set", arguments->settings,
                   "Any other quantity of the sand, in its study unit; may be repeated")
       ->type_name("NAME=VALUE");
+  sub->add_option("--fit", arguments->fit,
+                  "Fit these over all tests at once, e.g. H,N,chi_tc; all: every one that the tests tell "
+                  "[H of each test by itself]")
+      ->type_name("NAMES");
+  sub->add_option("--toml", arguments->toml,
+                  "With --fit: write distributions and correlations to this file, to paste in a study")
+      ->type_name("FILE");
+  sub->add_option("--plot", arguments->plot, "With --fit: measured and fitted curves, .svg or .png")
+      ->type_name("FILE");
   number("--fraction", arguments->options.fraction,
-         "The curve is matched up to this part of its largest q [0.5]")
+         "H of each test: the curve is matched up to this part of its largest q [0.5]")
       ->check(CLI::Range(0.05, 1.0).description(""));
   number("--H_lower", arguments->options.H_lower, "Least H that is tried [1]")
       ->check(CLI::Range(0.1, 1.0e5).description(""));
@@ -145,15 +241,21 @@ void add_calibrate(CLI::App& element, Action& action) {
       ->check(CLI::Range(0.1, 1.0e5).description(""));
   sub->add_option("--csv", arguments->csv, "Write the table to this file too, with all digits")
       ->type_name("FILE");
-  sub->footer(R"(A file:
-  # test = dense, 160 kPa
-  # D_r_percent = 80
-  # p0_kPa = 160
-  eps_a_percent,q_kPa,eps_v_percent
-  0.00,0.0,0.00
+  sub->footer(R"(A triaxial test, and an oedometer test (with --fit):
+  # test = dense, 160 kPa               # test = oedometer, loose
+  # D_r_percent = 80                    # K0 = 0.45
+  # p0_kPa = 160                        sigma_v_kPa,e
+  # G0_MPa = 85                         10,0.8120
+  eps_a_percent,q_kPa,eps_v_percent     20,0.8101
+  0.00,0.0,0.00                         40,0.8075
   0.25,212.4,0.05
-Strains are engineering strains, compression-positive; eps_v_percent may be missing. All other parameters stay at
-Table 2 of Yost et al. (2023), or as --set says. eps_v plays no part in the search: its misfit is a check.)");
+Strains are engineering strains, compression-positive; eps_v_percent, the shear modulus at small strains G0_MPa (bender
+elements) and K0 [0.5] may be missing. Loading alone is read. All other parameters stay at Table 2 of Yost et al.
+(2023), or as --set says.
+Without --fit: H of each test; eps_v plays no part in the search, its misfit is a check.
+With --fit: which tests reach critical state, what the tests tell by hand, then least squares over all curves with 95 %
+intervals and correlations; a parameter that the tests do not tell is kept as given (docs/laws.md).
+  campaign element calibrate *.csv --fit all --plot fit.png --toml sand.toml)");
   sub->callback([arguments, &action] { action = [arguments] { return calibrate(*arguments); }; });
 }
 

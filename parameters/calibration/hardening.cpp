@@ -19,9 +19,6 @@ constexpr int bits = 26;    // of ln H that Brent's method finds: about half of 
 constexpr std::size_t fewest_initial = 3;  // readings of the initial part beyond the start
 constexpr double hopeless = 1.0e30;        // misfit of a test that does not run
 
-// The element test has natural strains, the laboratory engineering strains.
-double natural(double engineering) { return -std::log1p(-engineering); }
-
 std::vector<Reading> initial_part(const TriaxialCurve& curve, double fraction) {
   double largest = 0.0;
   for (const Reading& reading : curve.readings) largest = std::max(largest, reading.q);
@@ -40,7 +37,7 @@ class Simulation {
     test_.sigma_a = test_.sigma_r = curve.p_0;
     test_.e_0 = e_0;
     test_.steps = steps;
-    test_.max_axial_strain = natural(eps_a);
+    test_.max_axial_strain = natural_strain(eps_a);
   }
 
   /// Simulates the test with this H; false if it does not run to its end.
@@ -52,12 +49,12 @@ class Simulation {
 
   [[nodiscard]] double q(double eps_a) const { return at(eps_a, &solver::ElementRow::q); }
   [[nodiscard]] double eps_v(double eps_a) const {
-    return -std::expm1(-at(eps_a, &solver::ElementRow::eps_v));
+    return engineering_strain(at(eps_a, &solver::ElementRow::eps_v));
   }
 
  private:
   [[nodiscard]] double at(double eps_a, double solver::ElementRow::*column) const {
-    const double place = std::min(natural(eps_a) / test_.max_axial_strain, 1.0) * steps;
+    const double place = std::min(natural_strain(eps_a) / test_.max_axial_strain, 1.0) * steps;
     const auto i = std::min(static_cast<std::size_t>(place), result_.rows.size() - 2);
     const double from = result_.rows[i].*column, to = result_.rows[i + 1].*column;
     return from + (place - static_cast<double>(i)) * (to - from);
@@ -111,7 +108,7 @@ HardeningFit fit_hardening(const TriaxialCurve& curve, const solver::NorSandPara
                            const HardeningOptions& options) {
   HardeningFit fit;
   fit.p_0 = curve.p_0;
-  fit.e_0 = std::isnan(curve.e_0) ? sand.e_max - curve.D_r * (sand.e_max - sand.e_min) : curve.e_0;
+  fit.e_0 = void_ratio_before(curve, sand);
   if (!(fit.p_0 > 0.0) || !(fit.e_0 > 0.0)) {
     fit.problem = "the stress p_0 and the density e_0 or D_r before shearing are not known";
     return fit;

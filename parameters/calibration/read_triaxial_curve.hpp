@@ -3,6 +3,7 @@
 //   # test = dense, 160 kPa          optional; other comments are free
 //   # D_r_percent = 80               or e0 = 0.62; may come from the command line instead
 //   # p0_kPa = 160                   may come from the command line instead
+//   # G0_MPa = 85                    optional: shear modulus at small strains before shearing
 //   eps_a_percent,q_kPa,eps_v_percent
 //   0.00,0.0,0.00
 //   0.25,212.4,0.05
@@ -13,24 +14,14 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "parameters/calibration/laboratory_file.hpp"
 #include "parameters/calibration/triaxial_curve.hpp"
 
 namespace cpt::calibration {
-
-/// What is wrong with a file and where; line and column count from 1, 0 is the file as a whole.
-struct CurveProblem {
-  std::string file;
-  int line = 0;
-  int column = 0;
-  std::string message;
-};
-/// "dense.csv:7:12: 'abc' is not a number", one line each.
-[[nodiscard]] std::string format(const std::vector<CurveProblem>& problems);
 
 /// The curve, or everything that is wrong with the file.
 using CurveOrProblems = std::variant<TriaxialCurve, std::vector<CurveProblem>>;

@@ -77,6 +77,7 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
       {{"recording", "a.csv", "--unit-weight", "180"}, "--unit-weight 180: must be 5 to 40 kN/m3"},
       {{"recording", "a.csv", "--area-quotient", "1.5"}, "--area-quotient 1.5: must be 0.01 to 1"},
       {{"element", "triaxial", "--set", "sand.Hh=3"}, "did you mean sand.H?"},
+      {{"element", "calibrate", folder.study(), "--toml", "a.toml"}, "--toml and --plot need --fit"},
       {{"element", "triaxial", "--set", "sand.H"}, "must be NAME=VALUE"},
       {{"element", "triaxial", "--material", "mohr_coulomb", "--set", "mohr_coulomb.phi_deg=2"},
        "mohr_coulomb.psi_deg: mohr_coulomb.psi_deg = 3 must be at most mohr_coulomb.phi_deg = 2"},
@@ -159,6 +160,27 @@ TEST(CommandLine, CalibratesHardeningFromWhatTheElementTestMade) {
       << table;
   EXPECT_EQ(p_0, 160.0);
   EXPECT_NEAR(H, 60.0, 0.6);
+
+  // The same over all tests at once, from the usual H on.
+  const Result fit = run(campaign({"element", "calibrate", folder.file("lab.csv"), "--fit", "H,phi_cs_deg",
+                                   "--csv", folder.file("fit.csv"), "--toml", folder.file("fit.toml"),
+                                   "--plot", folder.file("fit.svg")}));
+  ASSERT_EQ(fit.exit_code, 0) << fit.err;
+  expect_has(fit.out, "critical_state");
+  expect_has(fit.out, "by hand H = ");
+  expect_has(folder.read("fit.svg"), "CD 51");
+  expect_has(folder.read("fit.toml"), "\"sand.H\" = { distribution = { kind = \"lognormal\", mean = ");
+  expect_has(folder.read("fit.toml"), "[correlation]\n\"sand.H\" = { \"sand.phi_cs_deg\" = ");
+  const std::string fitted = folder.read("fit.csv");
+  double given = 0.0, by_hand = 0.0, value = 0.0, low = 0.0, high = 0.0;
+  ASSERT_EQ(std::sscanf(fitted.c_str() + fitted.find("\nH,"), "\nH,-,%lf,%lf,%lf,%lf,%lf", &given, &by_hand,
+                        &value, &low, &high),
+            5)
+      << fitted;
+  EXPECT_EQ(given, 25.0);
+  EXPECT_NEAR(value, 60.0, 0.6);
+  EXPECT_LT(low, value);
+  EXPECT_GT(high, value);
 
   folder.write("bad.csv", "eps_a_percent,q_kPa\n0,0\n1,x\n2,3\n");
   const Result bad = run(campaign({"element", "calibrate", folder.file("bad.csv"), folder.file("none.csv")}));

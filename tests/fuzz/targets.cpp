@@ -10,12 +10,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<Target, 9> all = {{
+constexpr std::array<Target, 10> all = {{
     {"study", study, "examples", 1500},
     {"request", request, "examples/diagnosis", 1000},
     {"plan", plan, "examples/concealed", 500},
     {"recording", recording, "tests/recordings/corpus", 10000},
     {"triaxial_curve", triaxial_curve, "", 2000},
+    {"oedometer_curve", oedometer_curve, "", 2000},
     {"database", database, "", 150},
     {"stored_values", stored_values, "", 150},
     {"hdf5_file", hdf5_file, "", 300},

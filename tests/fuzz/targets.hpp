@@ -36,6 +36,7 @@ Fate request(std::string_view toml);
 Fate plan(std::string_view toml);
 Fate recording(std::string_view bytes);
 Fate triaxial_curve(std::string_view text);
+Fate oedometer_curve(std::string_view text);
 Fate database(std::string_view bytes);
 Fate stored_values(std::string_view edits);
 Fate hdf5_file(std::string_view bytes);
