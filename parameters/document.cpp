@@ -127,6 +127,18 @@ std::string_view to_string(Value::Kind kind) {
   return "";
 }
 
+std::string toml_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+      out += fmt::format("\\u{:04X}", static_cast<int>(c));
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
 std::variant<Value, SyntaxError> parse_document(std::string_view toml) {
   toml = without_padding(toml);
   try {

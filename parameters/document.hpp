@@ -46,6 +46,9 @@ struct SyntaxError {
   std::string hint;  ///< what to write instead, as far as that can be guessed; never empty
 };
 
+/// As a basic string of TOML, in quotes.
+[[nodiscard]] std::string toml_string(std::string_view text);
+
 /// The document's root table, or the first thing in it that is not TOML. Padding behind the end (0x1A, zero
 /// bytes) does not count.
 [[nodiscard]] std::variant<Value, SyntaxError> parse_document(std::string_view toml);

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "parameters/all_realizations.hpp"
+#include "parameters/document.hpp"
 #include "parameters/fields.hpp"
 #include "parameters/nearest_name.hpp"
 #include "parameters/read_quantities.hpp"
@@ -256,19 +257,6 @@ class SamplesReader {
   std::vector<Sample> samples_;
 };
 
-// As a TOML basic string.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
-      out += fmt::format("\\u{:04X}", static_cast<int>(c));
-    else
-      out += c;
-  }
-  return out + '"';
-}
-
 }  // namespace
 
 SamplesOrErrors read_samples(const FieldTable& table, const Study& study, const SampleColumns& columns) {
@@ -292,11 +280,11 @@ std::string with_points(const std::string& study_text, const std::vector<Sample>
   std::string text = study_text;
   if (!text.ends_with('\n')) text += '\n';
   for (const Sample& sample : samples) {
-    text += fmt::format("\n[[points]]\nname = {}\n", quoted(sample.name));
+    text += fmt::format("\n[[points]]\nname = {}\n", toml_string(sample.name));
     for (const auto& [quantity, value] : sample.changes)
       text +=
           fmt::format("\"{}\" = {}\n", quantity->name,
-                      quantity->choices.empty() ? quantity->format(value) : quoted(quantity->format(value)));
+                      quantity->choices.empty() ? quantity->format(value) : toml_string(quantity->format(value)));
   }
   return text;
 }

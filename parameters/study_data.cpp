@@ -46,19 +46,6 @@ void collect(const Value& table, const Value* data, std::vector<WantedFile>& fou
   }
 }
 
-// As a TOML basic string.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
-      out += fmt::format("\\u{:04X}", static_cast<int>(static_cast<unsigned char>(c)));
-    else
-      out += c;
-  }
-  return out + '"';
-}
-
 // The numbers of a column as TOML; nothing after an error.
 std::string numbers_of(const FieldTable& table, const WantedFile& wanted, const std::string& column,
                        ErrorList& errors) {
@@ -104,11 +91,11 @@ std::vector<WantedFile> wanted_files(std::string_view study_text) {
 
 std::string data_section(const FieldTable& table, const WantedFile& wanted, ErrorList& errors) {
   std::string section =
-      fmt::format("\n[data.{}]  # as the file was when the study was read\n", quoted(wanted.file));
+      fmt::format("\n[data.{}]  # as the file was when the study was read\n", toml_string(wanted.file));
   for (const std::string& column : wanted.columns) {
     const std::string numbers = numbers_of(table, wanted, column, errors);
     if (numbers.empty()) return "";
-    section += fmt::format("{} = {}\n", quoted(column), numbers);
+    section += fmt::format("{} = {}\n", toml_string(column), numbers);
   }
   return section;
 }
