@@ -11,8 +11,9 @@
 namespace cpt::calibration {
 namespace {
 
-constexpr double triaxial_row = 1.0e-3;   // [-] natural axial strain of one row, which cubics join;
+constexpr double triaxial_row = 2.5e-4;   // [-] natural axial strain of one row, which cubics join;
 constexpr double oedometer_row = 2.5e-4;  // [-] which straight lines join
+constexpr double tolerance = 1.0e-5;      // [-] of a sub-step: a fit tells smaller differences than a push
 constexpr int fewest_rows = 3;            // as a cubic needs them beside the first
 constexpr double usual_K_0 = 0.5;         // [-] of an oedometer test that gives none
 constexpr double more_strain = 3.0;       // [-] an oedometer test may take so many times the measured strain,
@@ -49,6 +50,11 @@ double at_strain(const std::vector<solver::ElementRow>& rows, double eps_a,
          t * (t - 1.0) * (t - 2.0) / 6.0 * rows[first + 3].*column;
 }
 
+solver::NorSandParameters exactly(solver::NorSandParameters sand) {
+  sand.substep_tolerance = std::min(sand.substep_tolerance, tolerance);
+  return sand;
+}
+
 double start_of(const OedometerCurve& curve) {
   return std::isnan(curve.e_0) ? curve.readings.front().e : curve.e_0;
 }
@@ -71,7 +77,7 @@ std::string_view to_string(Channel channel) {
 
 solver::ElementResult simulate(const TriaxialCurve& curve, const solver::NorSandParameters& sand) {
   solver::ElementTest test;
-  test.material = sand;
+  test.material = exactly(sand);
   test.sigma_a = test.sigma_r = curve.p_0;
   test.e_0 = void_ratio_before(curve, sand);
   test.max_axial_strain = natural_strain(curve.readings.back().eps_a);
@@ -83,7 +89,7 @@ solver::ElementResult simulate(const TriaxialCurve& curve, const solver::NorSand
 solver::ElementResult simulate(const OedometerCurve& curve, const solver::NorSandParameters& sand) {
   solver::ElementTest test;
   test.path = solver::ElementPath::oedometer;
-  test.material = sand;
+  test.material = exactly(sand);
   test.sigma_a = curve.readings.front().sigma_v;
   test.sigma_r = (std::isnan(curve.K_0) ? usual_K_0 : curve.K_0) * test.sigma_a;
   test.e_0 = start_of(curve);
