@@ -204,6 +204,8 @@ Table commands(bool) {
         "also `effects`, `realizations`, `windows`, `tornado`, `failures`, `sql`; as table, CSV or JSON"},
        {"campaign compare A B",
         "two campaigns side by side: averages, `sensitivity`, or the `settings` that differ"},
+       {"campaign emulate STUDY", "emulator of averages and curves, with its quality at held-out runs"},
+       {"campaign predict STUDY --set NAME=VALUE", "what a run would give that was not made"},
        {"campaign prune STUDY",
         "names finished results that the study no longer asks for, and removes them with --yes"},
        {"campaign export STUDY",
