@@ -20,6 +20,8 @@ void add_view(CLI::App& program, Action& action);
 void add_query(CLI::App& program, Action& action);
 void add_compare(CLI::App& program, Action& action);
 void add_combine(CLI::App& program, Action& action);
+void add_emulate(CLI::App& program, Action& action);
+void add_predict(CLI::App& program, Action& action);
 void add_export(CLI::App& program, Action& action);
 void add_import(CLI::App& program, Action& action);
 void add_prune(CLI::App& program, Action& action);

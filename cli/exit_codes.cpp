@@ -16,6 +16,8 @@ constexpr ExitMeaning all_meanings[] = {
     {unusable_file,
      "a database, curve or report file cannot be read or written, or standard output is full, closed or read "
      "no further, as by head, that of mpirun included where it runs on the same machine"},
+    {emulator_refused,
+     "an emulator misses more than a tenth of an output's variance at held-out runs (Q2 < 0.9)"},
     {stopped_by_signal,
      "stopped by signal n (130 Ctrl-C, 138 SIGUSR1, 143 terminated); the same command goes on where it "
      "stopped"},

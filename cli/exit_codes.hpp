@@ -15,6 +15,7 @@ enum ExitCode : int {
   rerun_differs = 4,
   internal_error = 5,
   unusable_file = 6,
+  emulator_refused = 7,
   stopped_by_signal = 128,  ///< plus the signal's number
 };
 

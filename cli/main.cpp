@@ -38,6 +38,8 @@ constexpr const char* examples = R"(Examples:
   campaign query sens.toml sensitivity       the sensitivity indices so far
   campaign export sens.toml                  all of it as CSV tables in sens-export/
   campaign report sens.toml                  figures and tables in sens-report/
+  campaign emulate clay.toml                 an emulator of its averages and curves, and how good it is
+  campaign predict clay.toml --set clay.G_kPa=900 what a run would give that was not made
   campaign prune sens.toml                   finished results that an edit left unused
   campaign push sens.toml --fields-at 0.5    one push with its stress and density fields for ParaView
   campaign view sens-push                    those fields as pictures and as an animation
@@ -82,11 +84,11 @@ int run_program(int argc, char** argv) {
   program.require_subcommand(1);
   cli::Action action;
   for (const auto add :
-       {cli::add_run,       cli::add_rerun,   cli::add_query,     cli::add_compare,  cli::add_combine,
-        cli::add_export,    cli::add_import,  cli::add_report,    cli::add_prune,    cli::add_push,
-        cli::add_view,      cli::add_paper,   cli::add_numerics,  cli::add_diagnose, cli::add_conceal,
-        cli::add_reveal,    cli::add_element, cli::add_recording, cli::add_list,     cli::add_reference,
-        cli::add_completion})
+       {cli::add_run,      cli::add_rerun,     cli::add_query,     cli::add_compare, cli::add_combine,
+        cli::add_emulate,  cli::add_predict,   cli::add_export,    cli::add_import,  cli::add_report,
+        cli::add_prune,    cli::add_push,      cli::add_view,      cli::add_paper,   cli::add_numerics,
+        cli::add_diagnose, cli::add_conceal,   cli::add_reveal,    cli::add_element, cli::add_recording,
+        cli::add_list,     cli::add_reference, cli::add_completion})
     add(program, action);
 
   std::vector<std::string> words = command_line(argc, argv, program);

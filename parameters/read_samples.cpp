@@ -282,9 +282,9 @@ std::string with_points(const std::string& study_text, const std::vector<Sample>
   for (const Sample& sample : samples) {
     text += fmt::format("\n[[points]]\nname = {}\n", toml_string(sample.name));
     for (const auto& [quantity, value] : sample.changes)
-      text +=
-          fmt::format("\"{}\" = {}\n", quantity->name,
-                      quantity->choices.empty() ? quantity->format(value) : toml_string(quantity->format(value)));
+      text += fmt::format(
+          "\"{}\" = {}\n", quantity->name,
+          quantity->choices.empty() ? quantity->format(value) : toml_string(quantity->format(value)));
   }
   return text;
 }

@@ -206,6 +206,8 @@ Table commands(bool) {
         "two campaigns side by side: averages, `sensitivity`, or the `settings` that differ"},
        {"campaign combine DEAR CHEAP",
         "what q_c of a dear preset is worth, from few of its runs and many of a cheap one (designs.md)"},
+       {"campaign emulate STUDY", "emulator of averages and curves, with its quality at held-out runs"},
+       {"campaign predict STUDY --set NAME=VALUE", "what a run would give that was not made"},
        {"campaign prune STUDY",
         "names finished results that the study no longer asks for, and removes them with --yes"},
        {"campaign export STUDY",

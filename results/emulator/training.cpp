@@ -33,7 +33,8 @@ std::map<int, Values> inputs_by_run(const Snapshot& campaign) {
 std::vector<const Row*> rows_that_vary(const Study& study) {
   std::vector<const Row*> rows;
   if (!study.design.rows.empty() && study.design.kind != "one_at_a_time") {
-    for (const std::size_t row : study.design.rows) rows.push_back(&study.rows[row]);
+    for (const std::size_t row : study.design.rows)
+      if (!study.rows[row].only_drawn()) rows.push_back(&study.rows[row]);
     return rows;
   }
   std::set<std::string> changed;
@@ -90,6 +91,8 @@ class Trainer {
  public:
   Trainer(const Study& study, const Snapshot& campaign)
       : campaign_(campaign), rows_(rows_that_vary(study)), by_run_(inputs_by_run(campaign)) {
+    for (const Row& row : study.rows)
+      if (row.only_drawn()) fields_.insert(row.quantity->name);
     made_.study = campaign.campaign.name;
     made_.solver_version = campaign.campaign.solver_version;
     made_.windows = windows_text(campaign);
@@ -113,12 +116,14 @@ class Trainer {
   }
 
  private:
-  // Whether all that is no input is as in the baseline.
+  // Whether all that is no input is as in the baseline, but for random fields, which are noise to an
+  // emulator.
   [[nodiscard]] bool others_are_at_baseline(const Values& values) const {
     const Values& baseline = by_run_.at(1);
     return std::ranges::all_of(values, [&](const auto& entry) {
       return std::ranges::find(made_.inputs, entry.first, &EmulatorInput::name) != made_.inputs.end() ||
-             !baseline.contains(entry.first) || baseline.at(entry.first) == entry.second;
+             fields_.contains(entry.first) || !baseline.contains(entry.first) ||
+             baseline.at(entry.first) == entry.second;
     });
   }
 
@@ -253,6 +258,7 @@ class Trainer {
     add(std::move(output));
   }
 
+  std::set<std::string> fields_;  // seeds that runs draw
   const Snapshot& campaign_;
   std::vector<const Row*> rows_;
   std::map<int, Values> by_run_;

@@ -57,6 +57,7 @@ TEST(Examples, HaveTheirRealizations) {
   expect_study("paper/at_rest.toml", Profile::homogeneous_sand, Preset::paper, 3);
   expect_study("paper/at_rest_flexible.toml", Profile::homogeneous_sand, Preset::paper, 3);
   expect_study("designs/varying_clay.toml", Profile::homogeneous_clay, Preset::quick, 1 + 2 + 200);
+  expect_study("emulator/clay.toml", Profile::homogeneous_clay, Preset::quick, 1 + 7 + 60);
   expect_study("numerics/sand.toml", Profile::homogeneous_sand, Preset::quick, 23);
   expect_study("numerics/clay.toml", Profile::homogeneous_clay, Preset::quick, 24);
   expect_study("numerics/layered.toml", Profile::layered_sand_clay, Preset::quick, 23);

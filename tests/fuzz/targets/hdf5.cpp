@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "results/emulator/emulator_file.hpp"
 #include "results/ledger/curve_store.hpp"
 #include "results/push/checkpoint.hpp"
 #include "results/push/histories.hpp"
@@ -42,10 +43,43 @@ std::string histories() {
   return bytes_of(file);
 }
 
+std::string emulator() {
+  const std::filesystem::path file = scratch("a.h5");
+  Eigen::MatrixXd places(7, 1), average(1, 7), curve(3, 7);
+  for (int i = 0; i < 7; ++i) {
+    places(i, 0) = i / 6.0;
+    average(0, i) = i * i + 1.0;
+    curve.col(i) << 1.0, 2.0 + i, 3.0;
+  }
+  results::Emulator made;
+  made.study = "study";
+  made.inputs = {
+      {"sand.H", "-", 25.0, 75.0, 50.0},
+  };
+  for (int i = 0; i < 7; ++i) made.runs.push_back({i + 1, "0123"});
+  made.outputs.push_back({"deep.q_c_mean_kPa", {}, results::OutputEmulator::fit(places, average), {}});
+  made.outputs.push_back(
+      {"q_c_kPa", Eigen::Vector3d(0.1, 0.2, 0.3), results::OutputEmulator::fit(places, curve), {}});
+  results::write_emulator(file, made);
+  return bytes_of(file);
+}
+
+// What is read can be asked, and its numbers are none that is not finite where it has runs.
+void use_emulator(const std::filesystem::path& file) {
+  const results::Emulator read = results::read_emulator(file);
+  const Eigen::MatrixXd middle =
+      Eigen::MatrixXd::Constant(1, static_cast<Eigen::Index>(read.inputs.size()), 0.5);
+  for (const results::EmulatedOutput& output : read.outputs) {
+    const results::OutputPrediction at = output.emulator.predict(middle);
+    promise(at.value.rows() == output.emulator.values() && at.value.cols() == 1, "a value for each depth");
+    promise(!output.is_curve() || output.depth_m.size() == at.value.rows(), "a depth for each value");
+  }
+}
+
 }  // namespace
 
 const std::vector<std::string>& sound_hdf5_files() {
-  static const std::vector<std::string> files = {curve_file(), checkpoint(), histories()};
+  static const std::vector<std::string> files = {curve_file(), checkpoint(), histories(), emulator()};
   return files;
 }
 
@@ -64,6 +98,7 @@ Fate use_hdf5(std::string_view bytes) {
   attempt([&] { (void)results::read_curves(file); });
   attempt([&] { (void)results::read_checkpoint(file, setup()); });
   attempt([&] { (void)results::read_histories(file); });
+  attempt([&] { use_emulator(file); });
   return read > 0 ? Fate::sound : Fate::refused;
 }
 

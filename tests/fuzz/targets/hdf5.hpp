@@ -9,10 +9,10 @@
 
 namespace cpt::fuzz {
 
-/// Bytes of a curve file, of a checkpoint and of histories, in this order.
+/// Bytes of a curve file, of a checkpoint, of histories and of an emulator, in this order.
 [[nodiscard]] const std::vector<std::string>& sound_hdf5_files();
 
-/// Reads the bytes as each of the three kinds, whatever they are; each is read or refused with a
+/// Reads the bytes as each of the four kinds, whatever they are; each is read or refused with a
 /// results::Error. Sound if one is read.
 [[nodiscard]] Fate use_hdf5(std::string_view bytes);
 
