@@ -88,7 +88,7 @@ results::Table path_table(const solver::Law& law, const std::vector<solver::Elem
                           std::size_t stride) {
   results::Table table{{"eps_a", "eps_v", "q_kPa", "p_kPa", "e", "psi"}, {}};
   std::vector<double> scales;
-  for (const solver::StateVariable& variable : law.state({})) {
+  for (const solver::StateVariable& variable : law.state(law.defaults(), {})) {
     const bool pressure = variable.unit == "Pa";
     table.columns.push_back(std::string(variable.name) + (pressure ? "_kPa" : ""));
     scales.push_back(pressure ? kPa : 1.0);
