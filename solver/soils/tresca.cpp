@@ -57,7 +57,10 @@ class Varying : public SoilModel {
   [[nodiscard]] double update(const Batch& batch) const override { return law_.update(batch); }
   [[nodiscard]] double poissons_ratio() const override { return parameters_.nu; }
   [[nodiscard]] PointHistory start(const PointStart& s) const override {
-    return {strength_at(parameters_, mechanisms_, s.depth)};
+    const double s_u = strength_at(parameters_, mechanisms_, s.depth);
+    if (!parameters_.s_u_field.on()) return {s_u};
+    // Clay that a field makes weaker than the stresses it lies under would not lie there.
+    return {std::max(s_u, std::hypot(0.5 * (s.s_zz - s.s_rr), s.s_rz))};
   }
 
  private:
@@ -117,26 +120,6 @@ class TrescaLaw : public Law {
   static const P& of(const LawParameters& p) { return std::get<P>(p); }
 };
 
-// A field may fall below what the initial stresses need.
-std::vector<Problem> weak_field_problem(const Setup& setup, const Layer& layer, double K_0) {
-  const Soil& clay = setup.soils[layer.soil];
-  const RandomField& field = as<P>(clay).s_u_field;
-  if (!field.on()) return {};
-  constexpr double step = 1e-3;  // [m]
-  for (double depth = layer.top; depth <= layer.bottom; depth += step) {
-    const double s_u = strength_at(as<P>(clay), setup.mechanisms, depth);
-    const double needed = 0.5 * std::abs(1.0 - K_0) * vertical_stress(setup, -depth);
-    if (s_u >= needed) continue;
-    const std::string seed = clay.name + ".s_u_field_seed";
-    return {
-        {seed,
-         fmt::format("{} makes s_u = {:.3g} kPa at {:.3f} m, below the {:.3g} kPa that the initial stresses "
-                     "there need",
-                     given(setup, seed), s_u / 1e3, depth, needed / 1e3)}};
-  }
-  return {};
-}
-
 // At the wall its friction comes on top of the stress difference.
 std::vector<Problem> wall_shear_problem(const Setup& setup, const Layer& layer, double K_0) {
   const Soil& clay = setup.soils[layer.soil];
@@ -164,7 +147,6 @@ std::vector<Problem> TrescaLaw::problems(const Setup& setup, std::size_t soil, b
     if (layer.soil != soil) continue;
     const double q = std::abs(1.0 - K_0) * vertical_stress(setup, -layer.bottom);
     if (q <= 2.0 * of(clay.parameters).s_u) {
-      if (const std::vector<Problem> weak = weak_field_problem(setup, layer, K_0); !weak.empty()) return weak;
       const std::vector<Problem> found = wall_shear_problem(setup, layer, K_0);
       if (!found.empty()) return found;
       continue;
