@@ -4,6 +4,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 #include "parameters/designs/propagation.hpp"
@@ -83,42 +84,48 @@ double deviation_of(const std::vector<Level>& levels) {
   return std::sqrt(std::max(variance, 0.0));
 }
 
-double quantile_of(std::vector<Level> levels, double probability) {
+// Cheaper models brought to the dearest one's scale by the straight line through the paired runs.
+std::vector<Level> to_one_scale(std::vector<Level> levels) {
   const VectorXd dearest = levels[0].paired;
-  std::vector<double> candidates(levels[0].own.begin(), levels[0].own.end());
   for (std::size_t l = 1; l < levels.size(); ++l) {
     const double slope = weight(dearest, levels[l].paired);
     const double shift = dearest.mean() - slope * levels[l].paired.mean();
     for (VectorXd* y : {&levels[l].paired, &levels[l].shared, &levels[l].own})
       *y = (slope * y->array() + shift).matrix();
-    candidates.insert(candidates.end(), levels[l].own.begin(), levels[l].own.end());
   }
-  std::ranges::sort(candidates);
-  const auto below = [&](double x) {
-    return combined(
-        levels, [x](std::size_t, const VectorXd& y) -> VectorXd { return (y.array() <= x).cast<double>(); });
-  };
-  // The share need not rise everywhere: it rises where all models' do, and the wiggles are those of few runs.
-  std::size_t low = 0, high = candidates.size() - 1;
+  return levels;
+}
+
+// Of values on one scale: the probability of one not above x.
+double share_below(const std::vector<Level>& levels, double x) {
+  return combined(levels, [x](std::size_t, const VectorXd& y) -> VectorXd {
+    return (y.array() <= x).cast<double>();
+  });
+}
+
+// The least value with that share. The share need not rise everywhere; where it falls, few runs are to blame.
+double value_at_share(const std::vector<Level>& levels, double share) {
+  std::vector<double> values;
+  for (const Level& level : levels) values.insert(values.end(), level.own.begin(), level.own.end());
+  std::ranges::sort(values);
+  std::size_t low = 0, high = values.size() - 1;
   while (low < high) {
     const std::size_t middle = (low + high) / 2;
-    if (below(candidates[middle]) >= probability)
+    if (share_below(levels, values[middle]) >= share)
       high = middle;
     else
       low = middle + 1;
   }
-  return candidates[low];
+  return values[low];
 }
 
-Estimate jackknifed(const Levels& levels, bool latin,
-                    const std::function<double(const std::vector<Level>&)>& number) {
-  Estimate estimate;
-  if (paired_runs(levels) < fewest_paired) return estimate;
-  estimate.value = number(without_section(levels, -1, latin));
+// Half the width of the 95 % interval of a number; NaN where some section has no runs of the dearest model.
+double half_width(const Levels& levels, bool latin,
+                  const std::function<double(const std::vector<Level>&)>& number) {
   std::vector<double> left;
   for (int section = 0; section < propagation_sections; ++section) {
     const std::vector<Level> others = without_section(levels, section, latin);
-    if (others[0].own.size() == levels[0].size()) return estimate;
+    if (others[0].own.size() == levels[0].size()) return std::numeric_limits<double>::quiet_NaN();
     left.push_back(number(others));
   }
   const auto k = static_cast<double>(left.size());
@@ -126,10 +133,14 @@ Estimate jackknifed(const Levels& levels, bool latin,
   double squares = 0.0;
   for (const double one : left) squares += (one - mean) * (one - mean);
   const boost::math::students_t_distribution<double> student(k - 1.0);
-  const double half = boost::math::quantile(student, 0.975) * std::sqrt((k - 1.0) / k * squares);
-  estimate.lower = estimate.value - half;
-  estimate.upper = estimate.value + half;
-  return estimate;
+  return boost::math::quantile(student, 0.975) * std::sqrt((k - 1.0) / k * squares);
+}
+
+Estimate jackknifed(const Levels& levels, bool latin,
+                    const std::function<double(const std::vector<Level>&)>& number) {
+  if (paired_runs(levels) < fewest_paired) return {};
+  const double value = number(without_section(levels, -1, latin)), half = half_width(levels, latin, number);
+  return {value, value - half, value + half};
 }
 
 }  // namespace
@@ -149,8 +160,14 @@ Estimate combined_deviation(const Levels& levels, bool latin) {
 }
 
 Estimate combined_quantile(const Levels& levels, double probability, bool latin) {
-  return jackknifed(levels, latin,
-                    [&](const std::vector<Level>& all) { return quantile_of(all, probability); });
+  if (paired_runs(levels) < fewest_paired) return {};
+  const std::vector<Level> all = to_one_scale(without_section(levels, -1, latin));
+  const double value = value_at_share(all, probability);
+  const double half = half_width(levels, latin, [value](const std::vector<Level>& others) {
+    return share_below(to_one_scale(others), value);
+  });
+  if (std::isnan(half)) return {value, half, half};
+  return {value, value_at_share(all, probability - half), value_at_share(all, probability + half)};
 }
 
 double variance_ratio(double correlation, double cost_ratio) {

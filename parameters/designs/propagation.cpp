@@ -121,6 +121,7 @@ Estimate exceedance(const VectorXd& y, bool latin, double threshold) {
   Estimate share = by_sections(
       y, 1, [&](const VectorXd& sample) { return above(sample) / static_cast<double>(sample.size()); },
       latin);
+  if (share.lower == share.upper) return clopper_pearson(above(all), runs);  // all sections happen to agree
   share.lower = std::max(share.lower, 0.0);  // NaN stays NaN
   share.upper = std::min(share.upper, 1.0);
   return share;

@@ -95,7 +95,7 @@ TEST(Suffices, LooksAtTheFirstRunsAndTheirNumberAlone) {
   EXPECT_TRUE(suffices(mean, y, 60, false));
   EXPECT_TRUE(suffices(quantile, y, 60, false));
   EXPECT_FALSE(suffices(hopeless, y, 60, false));
-  y.tail(40).setConstant(1e6);
+  for (Index i = 60; i < 100; i += propagation_sections) y(i) = 1e6;  // the first section's later runs
   EXPECT_TRUE(suffices(mean, y, 60, false));
   EXPECT_FALSE(suffices(mean, y, 100, false));
   EXPECT_FALSE(suffices(mean, VectorXd::Constant(100, NAN), 60, false));
