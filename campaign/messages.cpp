@@ -1,7 +1,9 @@
 #include "campaign/messages.hpp"
 
 #include <concepts>
+#include <memory>
 #include <sstream>
+#include <type_traits>
 
 #include "solver/quantities.hpp"
 #include "solver/soils/law.hpp"
@@ -23,12 +25,45 @@ void exchange(Archive& archive, MaybeConst<ProgressReport> auto& report) {
   archive(report.realization, report.progress);
 }
 
+// Each item of a vector.
+template <class Archive, class Items, class Each>
+void exchange_all(Archive& archive, Items& items, Each each) {
+  constexpr std::uint64_t most = 1'000'000;
+  auto count = static_cast<std::uint64_t>(items.size());
+  archive(count);
+  if constexpr (!std::is_const_v<Items>) {
+    if (count > most) throw MalformedMessage("a list that is too long");
+    items.resize(count);
+  }
+  for (auto& item : items) each(item);
+}
+
+template <class Archive>
+void exchange_words(Archive& archive, auto& words) {
+  exchange_all(archive, words, [&](auto& word) { archive(word); });
+}
+
+template <class Archive>
+void exchange(Archive& archive, MaybeConst<solver::ExternalProgram> auto& program) {
+  exchange_words(archive, program.command);
+  archive(program.folder, program.version, program.template_name, program.template_text, program.results,
+          program.limits);
+  exchange_all(archive, program.inputs, [&](auto& input) {
+    archive(input.name, input.unit, input.meaning, input.usual, input.min, input.max, input.integer);
+  });
+  exchange_all(archive, program.outputs, [&](auto& output) {
+    archive(output.name, output.unit, output.meaning, output.over, output.over_unit);
+  });
+}
+
 template <class Archive>
 void exchange(Archive& archive, MaybeConst<OutcomeReport> auto& report) {
   auto& outcome = report.outcome;
   archive(report.realization, outcome.status, outcome.reason, outcome.profile.depth, outcome.audit,
           outcome.steps, outcome.material_points, outcome.wall_seconds, report.interrupted);
   for (const solver::Channel& channel : solver::channels()) archive(outcome.profile.*channel.values);
+  exchange_all(archive, outcome.profile.declared,
+               [&](auto& result) { archive(result.name, result.x, result.y); });
 }
 
 template <class Archive>
@@ -45,7 +80,7 @@ void exchange(Archive&, MaybeConst<Dismissed> auto&) {}
 
 // A setup travels as its soils with their laws, the values of all quantities, its layers and its point zones,
 // so that a new quantity needs no line here; its canonical text travels too and shows that nothing was left
-// out.
+// out. An external program travels whole.
 void exchange(ByteWriter& archive, const Order& order) {
   std::vector<double> values;
   std::string soils;  // "sand norsand clay tresca"
@@ -55,7 +90,8 @@ void exchange(ByteWriter& archive, const Order& order) {
     values.push_back(quantity->get(order.setup));
   archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, soils, values,
           order.setup.layers, order.setup.numerics.zones, solver::canonical_text(order.setup),
-          order.checkpoint, order.checkpoint_seconds);
+          order.checkpoint, order.checkpoint_seconds, order.work, order.setup.program != nullptr);
+  if (order.setup.program) exchange(archive, *order.setup.program);
 }
 
 void exchange(ByteReader& archive, Order& order) {
@@ -63,8 +99,15 @@ void exchange(ByteReader& archive, Order& order) {
   std::vector<solver::Layer> layers;
   std::vector<solver::PointZone> zones;
   std::string soils, text;
+  bool external = false;
   archive(order.realization, order.threads, order.wall_limit_seconds, order.hang_limit_seconds, soils, values,
-          layers, zones, text, order.checkpoint, order.checkpoint_seconds);
+          layers, zones, text, order.checkpoint, order.checkpoint_seconds, order.work, external);
+  if (external) {
+    solver::ExternalProgram program;
+    exchange(archive, program);
+    order.setup.program_inputs.resize(program.inputs.size());
+    order.setup.program = std::make_shared<const solver::ExternalProgram>(std::move(program));
+  }
   order.setup.soils.clear();
   std::istringstream words(soils);
   for (std::string name, law; words >> name >> law;) {

@@ -29,6 +29,7 @@ struct Order {
   solver::Setup setup;
   std::string checkpoint = {};  ///< file to go on from and to keep the state in; empty: none
   double checkpoint_seconds = std::numeric_limits<double>::infinity();  ///< between two states kept
+  std::string work = {};  ///< folder for an external program to work in; its `checkpoint` is a folder, too
 };
 
 struct ProgressReport {

@@ -17,6 +17,7 @@
 
 #include "campaign/clock.hpp"
 #include "campaign/descriptors.hpp"
+#include "campaign/external/run_program.hpp"
 #include "campaign/messages.hpp"
 #include "campaign/stop_signals.hpp"
 #include "results/push/checkpoint.hpp"
@@ -145,6 +146,14 @@ solver::Outcome run(const Order& order, const Simulate& simulate) {
   return simulate(order.setup, reporter, execution);
 }
 
+// A program outlives its starter, so that this process stays to end it when its own parent has gone.
+solver::Outcome run_external(const Order& order) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (!parent_lives()) ask_termination(SIGTERM);
+  return run_program(order, {[] { return termination_asked != 0; },
+                             [&](std::string text) { send_remark(order.realization, std::move(text)); }});
+}
+
 }  // namespace
 
 int serve_realization(const Simulate& simulate) {
@@ -163,7 +172,7 @@ int serve_realization(const Simulate& simulate) {
     }
     report.realization = order->realization;
     ::prctl(PR_SET_NAME, ("realization " + std::to_string(order->realization)).c_str());  // for top and ps
-    report.outcome = run(*order, simulate);
+    report.outcome = order->setup.program ? run_external(*order) : run(*order, simulate);
     report.interrupted = termination_asked != 0 && report.outcome.status == solver::Status::time_limit;
   } catch (const std::bad_alloc&) {
     std::fputs("out of memory\n", stderr);

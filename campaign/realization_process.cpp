@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "campaign/descriptors.hpp"
+#include "campaign/last_words.hpp"
 #include "campaign/stop_signals.hpp"
 
 namespace cpt::campaign {
@@ -80,24 +81,15 @@ int spawn(pid_t& pid, const std::vector<std::string>& command, int channel, int 
   return error;
 }
 
-// The last line that says something, in plain characters.
-std::string last_line(std::string_view text) {
-  const auto end = text.find_last_not_of(" \t\r\n");
-  if (end == std::string_view::npos) return {};
-  text = text.substr(0, end + 1);
-  if (const auto newline = text.rfind('\n'); newline != std::string_view::npos)
-    text = text.substr(newline + 1);
-  text = text.substr(std::min(text.find_first_not_of(" \t"), text.size()));
-  std::string line(text.substr(0, 300));
-  for (char& c : line)
-    if (c < ' ' || c > '~') c = '?';
-  return line;
-}
-
-bool usable(const solver::DepthProfile& profile) {
+bool usable(const solver::DepthProfile& profile, const solver::ExternalProgram* program) {
   const auto finite = [](const std::vector<double>& values) {
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
   };
+  if (program != nullptr)
+    return profile.declared.size() == program->outputs.size() &&
+           std::ranges::all_of(profile.declared, [&](const solver::ProgramResult& result) {
+             return finite(result.x) && finite(result.y);
+           });
   return !profile.depth.empty() && finite(profile.depth) &&
          std::ranges::all_of(solver::channels(),
                              [&](const solver::Channel& channel) { return finite(profile.*channel.values); });
@@ -138,7 +130,7 @@ RealizationProcess::RealizationProcess(const std::vector<std::string>& command, 
 
 RealizationProcess::~RealizationProcess() {
   if (pid_ > 0) {
-    ::kill(pid_, SIGKILL);
+    kill_group();
     ::waitpid(pid_, nullptr, 0);
   }
   close_descriptor(channel_);
@@ -153,8 +145,14 @@ RealizationProcess::News RealizationProcess::service(double now) {
     return news;
   }
   int wait_status = 0;
-  const bool gone =
-      ::waitpid(pid_, &wait_status, WNOHANG) == pid_;  // asked first: what it sent is then all there
+  siginfo_t ended{};
+  // Asked first: what it sent is then all there. While it is not reaped, its group is its own.
+  const bool gone = ::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+                    ended.si_pid == pid_;
+  if (gone) {
+    kill_group();
+    ::waitpid(pid_, &wait_status, 0);
+  }
   read_channel(news, now);
   read_errors();
   if (gone) {
@@ -195,8 +193,10 @@ void RealizationProcess::accept(Message message, News& news, double now) {
     news.progress = progress_;
   } else if (auto* end = std::get_if<OutcomeReport>(&message);
              end && end->realization == order_.realization) {
-    if (end->outcome.status == solver::Status::completed && !usable(end->outcome.profile))
-      throw MalformedMessage("a completed run without a finite depth profile");
+    if (end->outcome.status == solver::Status::completed &&
+        !usable(end->outcome.profile, order_.setup.program.get()))
+      throw MalformedMessage(order_.setup.program ? "a completed run without all of its finite outputs"
+                                                  : "a completed run without a finite depth profile");
     outcome_ = std::move(end->outcome);
     interrupted_ = end->interrupted;
     last_step_forward_ = now;
@@ -223,6 +223,9 @@ void RealizationProcess::read_errors() {
   }
 }
 
+// With an external program that it runs, and what that has started.
+void RealizationProcess::kill_group() const { ::kill(-pid_, SIGKILL); }
+
 void RealizationProcess::ask_to_end() const {
   if (pid_ > 0) ::kill(pid_, SIGTERM);
 }
@@ -238,7 +241,7 @@ void RealizationProcess::enforce_limits(double now) {
       progress_ ? fmt::format("at depth {:.3f} m, step {}", progress_->depth, progress_->steps)
                 : "before its first step";
   if (outcome_) {
-    if (now > last_step_forward_ + after_outcome) ::kill(pid_, SIGKILL);
+    if (now > last_step_forward_ + after_outcome) kill_group();
   } else if (now > started_ + order_.wall_limit_seconds + after_limit) {
     end_by(solver::Status::time_limit,
            fmt::format("reached its wall-clock limit of {:g} s {}", order_.wall_limit_seconds, reached),
@@ -249,7 +252,7 @@ void RealizationProcess::enforce_limits(double now) {
            now + after_request);
   }
   if (ending_ && now >= ending_->kill_at) {
-    ::kill(pid_, SIGKILL);
+    kill_group();
     ending_->kill_at = never;
   }
 }
@@ -279,12 +282,7 @@ solver::Outcome RealizationProcess::conclude(int wait_status, double now) {
   if (outcome_ && (lingered || (signal == 0 && exit_code == 0))) return *outcome_;
   const std::string_view when = outcome_ ? " after it had sent its outcome" : "";
   if (signal != 0) {
-    const char* name = ::sigdescr_np(signal);
-    const std::string_view guess = signal == SIGKILL ? ", as the system does when memory runs out" : "";
-    return failure(solver::Status::crashed,
-                   fmt::format("killed by signal {} ({}){}{}{}", signal, name != nullptr ? name : "unknown",
-                               guess, when, said),
-                   now);
+    return failure(solver::Status::crashed, fmt::format("{}{}{}", killed_by(signal), when, said), now);
   }
   if (reader_.partial())
     return failure(solver::Status::crashed,

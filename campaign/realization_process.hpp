@@ -51,6 +51,7 @@ class RealizationProcess {
   void read_errors();
   void accept(Message message, News& news, double now);
   void enforce_limits(double now);
+  void kill_group() const;
   void end_by(solver::Status status, std::string reason, double kill_at);
   [[nodiscard]] bool interrupted(int wait_status) const;
   [[nodiscard]] solver::Outcome conclude(int wait_status, double now);

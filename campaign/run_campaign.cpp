@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "campaign/clock.hpp"
+#include "campaign/external/work_folder.hpp"
 #include "campaign/forecast.hpp"
 #include "campaign/pace.hpp"
 #include "campaign/stop_signals.hpp"
@@ -117,6 +118,7 @@ class Master {
     if (signal != 0) wind_up(signal);
     write_effects();
     commit();
+    leave_work_folder(study_);
     if (curves_.stale()) mirror_curves(results::write_curves);
     if (signal != 0 && page_shown_) write_page(false);
     return signal;
@@ -280,6 +282,7 @@ class Master {
         order.checkpoint = checkpoints_->file(ledger_.settings_hash(id));
         order.checkpoint_seconds = options_.checkpoint_seconds;
       }
+      give_folders(order, study_);
       {
         const Timed timed(time_.database);
         ledger_.mark_running(id);

@@ -1,5 +1,7 @@
 #include "parameters/all_realizations.hpp"
 
+#include <algorithm>
+
 namespace cpt::parameters {
 
 std::vector<Realization> all_realizations(const Study& study) {
@@ -17,6 +19,17 @@ std::vector<Realization> all_realizations(const Study& study) {
                             study.points[static_cast<std::size_t>(i)].repeat ? Side::repeat : Side::point,
                             i});
   return realizations;
+}
+
+std::vector<const solver::Quantity*> varied_quantities(const Study& study) {
+  std::vector<const solver::Quantity*> varied;
+  const auto add = [&](const solver::Quantity* quantity) {
+    if (std::ranges::find(varied, quantity) == varied.end()) varied.push_back(quantity);
+  };
+  for (const Row& row : study.rows) add(row.quantity);
+  for (const DesignPoint& point : study.points)
+    for (const Change& change : point.changes) add(change.quantity);
+  return varied;
 }
 
 int realization_of(std::span<const Realization> realizations, int row, Side side) {

@@ -17,4 +17,7 @@ namespace cpt::parameters {
 /// Id of the realization that holds one side of a row; the baseline's where the bound equals the baseline.
 [[nodiscard]] int realization_of(std::span<const Realization> realizations, int row, Side side);
 
+/// What differs anywhere in the study: its rows, then what its points change, each once.
+[[nodiscard]] std::vector<const solver::Quantity*> varied_quantities(const Study& study);
+
 }  // namespace cpt::parameters

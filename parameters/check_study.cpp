@@ -150,7 +150,7 @@ void check_windows(const Study& study, const QuantitySections& sections, const S
 void check_study(const Study& study, const QuantitySections& sections, const StudyPlaces& places,
                  const SoilDoubts& doubts, ErrorList& errors) {
   check_physics(study, sections, places, doubts, errors);
-  check_windows(study, sections, places, errors);
+  if (study.baseline.program == nullptr) check_windows(study, sections, places, errors);
 }
 
 }  // namespace cpt::parameters

@@ -103,6 +103,12 @@ bool is_group(std::string_view name, const solver::Setup& setup) {
 }
 
 std::string hint_for_unknown(std::string_view name, const solver::Setup& setup, bool layers_known) {
+  if (setup.program != nullptr) {
+    std::vector<std::string_view> names;
+    for (const solver::ProgramInput& input : setup.program->inputs) names.push_back(input.name);
+    const std::string_view near = nearest_name(name, names);
+    return near.empty() ? "name an input of [solver.inputs]" : fmt::format("did you mean {}?", near);
+  }
   if (name == "layers" || name == "numerics.zones" || name == "zones")
     return fmt::format("give a [[{}]] table for each", name == "layers" ? "layers" : "zones");
   const std::string meant = meant_quantity(name, setup, layers_known);

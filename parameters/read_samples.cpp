@@ -16,6 +16,7 @@
 #include "parameters/nearest_name.hpp"
 #include "parameters/read_quantities.hpp"
 #include "parameters/realization.hpp"
+#include "parameters/response_names.hpp"
 #include "parameters/written_number.hpp"
 
 namespace cpt::parameters {
@@ -28,10 +29,7 @@ constexpr std::array<std::string_view, 10> statuses = {
     "rank_lost",    "not_needed"};
 constexpr std::array<std::string_view, 3> not_read = {"interface", "interface_id", "realization"};
 
-constexpr std::array<std::pair<std::string_view, double WindowResponse::*>, 3> parts = {
-    {{".q_c_mean_kPa", &WindowResponse::mean},
-     {".q_c_min_kPa", &WindowResponse::min},
-     {".q_c_max_kPa", &WindowResponse::max}}};
+constexpr std::array parts = {&WindowResponse::mean, &WindowResponse::min, &WindowResponse::max};
 
 /// What a column holds; nothing of it set: it is not read.
 struct Meaning {
@@ -66,8 +64,12 @@ class SamplesReader {
   [[nodiscard]] std::vector<std::string> responses() const {
     std::vector<std::string> names;
     for (const Window& window : study_.windows)
-      for (const auto& [ending, member] : parts) names.push_back(window.name + std::string(ending));
+      for (const std::string& name : names_of(window)) names.push_back(name);
     return names;
+  }
+
+  [[nodiscard]] static std::array<std::string, 3> names_of(const Window& window) {
+    return response_names(window.name, !window.output.empty());
   }
 
   Meaning meaning_of(const Field& name) {
@@ -83,15 +85,14 @@ class SamplesReader {
       if (meaning == word) found.word = meaning;
     found.quantity = solver::find_quantity(meaning, study_.baseline);
     for (std::size_t w = 0; w < study_.windows.size(); ++w)
-      for (const auto& [ending, member] : parts)
-        if (meaning == study_.windows[w].name + std::string(ending)) {
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        if (meaning == names_of(study_.windows[w])[k]) {
           found.window = w;
-          found.part = member;
+          found.part = parts[k];
         }
     if (found.quantity == nullptr && found.word.empty() && found.part == nullptr)
       refuse_unknown(name, meaning);
-    if (found.part != nullptr && columns_.responses &&
-        study_.windows[found.window].kind != Window::Kind::fixed)
+    if (found.part != nullptr && columns_.responses && study_.windows[found.window].width > 0.0)
       errors_.add(
           name.place, name.text,
           fmt::format("the window {} is placed by the baseline's curve, which a table of averages does "
@@ -104,12 +105,14 @@ class SamplesReader {
   void refuse_unknown(const Field& name, const std::string& meaning) {
     const std::vector<std::string> averages = responses();
     const std::vector<std::string_view> known(averages.begin(), averages.end());
-    const bool average = meaning.find("q_c") != meaning.npos;
+    const bool external = study_.baseline.program != nullptr;
+    const bool average = external || meaning.find("q_c") != meaning.npos;
     const std::string_view near =
         average ? nearest_name(meaning, known) : nearest_quantity(meaning, study_.baseline);
     errors_.add(
         name.place, name.text,
-        fmt::format("is neither a quantity nor an average of q_c in a window of the study ({})",
+        fmt::format("is neither {} of the study ({})",
+                    external ? "an input nor an output" : "a quantity nor an average of q_c in a window",
                     fmt::join(averages, ", ")),
         fmt::format("{}--column KEY={} says what it is, --ignore {} leaves it out",
                     near.empty() ? "" : fmt::format("did you mean {}? ", near), name.text, name.text));
@@ -135,9 +138,10 @@ class SamplesReader {
     if (!some([](const Meaning& m) { return m.quantity != nullptr; }))
       errors_.add({}, "", "no column is an input", "`campaign list quantities` prints all of them");
     if (columns_.responses && !some([](const Meaning& m) { return m.part == &WindowResponse::mean; }))
-      errors_.add({}, "", "no column is an average of q_c",
-                  fmt::format("name one {}.q_c_mean_kPa, or say which it is with --column",
-                              study_.windows.front().name));
+      errors_.add({}, "",
+                  fmt::format("no column is {}", study_.baseline.program ? "an output" : "an average of q_c"),
+                  fmt::format("name one {}, or say which it is with --column",
+                              names_of(study_.windows.front()).front()));
   }
 
   [[nodiscard]] std::string columns_of_file() const {
@@ -235,8 +239,8 @@ class SamplesReader {
       if (r.min > r.mean || r.max < r.mean ||
           (std::isnan(r.mean) && !(std::isnan(r.min) && std::isnan(r.max))))
         errors_.add(sample.place, fmt::format("row {}", row),
-                    fmt::format("the average q_c {} kPa does not lie between its least {} and largest {}",
-                                r.mean, r.min, r.max));
+                    fmt::format("the average {} does not lie between its least {} and largest {}", r.mean,
+                                r.min, r.max));
     }
     if (sample.status.empty()) {
       sample.status = any ? "completed" : "crashed";

@@ -18,6 +18,7 @@
 #include "parameters/read_correlation.hpp"
 #include "parameters/read_design.hpp"
 #include "parameters/read_layers.hpp"
+#include "parameters/read_program.hpp"
 #include "parameters/read_quantities.hpp"
 #include "parameters/read_soils.hpp"
 #include "parameters/study_keys.hpp"
@@ -29,8 +30,8 @@ constexpr std::size_t most_thresholds = 20;
 
 class StudyReader {
  public:
-  StudyReader(const Value& root, std::filesystem::path file, ErrorList& errors)
-      : root_(root), errors_(errors) {
+  StudyReader(const Value& root, std::filesystem::path file, FilesBeside files, ErrorList& errors)
+      : root_(root), files_(files), errors_(errors) {
     study_.file = std::move(file);
     study_.name = study_.file.stem().string();
   }
@@ -38,6 +39,7 @@ class StudyReader {
   Study read() {
     refuse_unknown("", root_);
     study_.title = text_field(root_, "", "title", false, errors_).value_or(study_.name);
+    if (root_.find("solver") != nullptr) return read_with_program();
     const bool profile_known = read_profile();
     read_output();
     read_limits();
@@ -66,6 +68,23 @@ class StudyReader {
   }
 
  private:
+  // Of a study whose realizations another program runs.
+  Study read_with_program() {
+    refuse_embedded(root_, errors_);
+    read_output();
+    read_limits();
+    read_program(root_, files_, study_, errors_);
+    const QuantitySections sections = read_quantities(root_, study_.baseline, doubts_, errors_);
+    for (const Setting& setting : sections.settings)
+      setting.quantity->set_value(study_.baseline, setting.value);
+    for (const PlacedRow& placed : sections.rows) study_.rows.push_back(placed.row);
+    read_points();
+    read_design_points();
+    study_.windows = read_program_windows(root_, *study_.baseline.program, errors_);
+    check_study(study_, sections, places_, doubts_, errors_);
+    return std::move(study_);
+  }
+
   bool refuse_unknown(std::string_view name, const Value& table) {
     return refuse_unknown_keys(table, name, known_names(study_keys(), name), errors_);
   }
@@ -437,8 +456,9 @@ class StudyReader {
   }
 
   const Value& root_;
+  FilesBeside files_;
   ErrorList& errors_;
-  Study study_{};
+  Study study_ = Study();
   StudyPlaces places_;
   SoilDoubts doubts_;
   std::vector<std::string> window_names_;
@@ -446,7 +466,7 @@ class StudyReader {
 
 }  // namespace
 
-StudyOrErrors parse_study(std::string_view toml, const std::filesystem::path& file) {
+StudyOrErrors parse_study(std::string_view toml, const std::filesystem::path& file, FilesBeside files) {
   ErrorList errors(file.string());
   const auto document = parse_document(toml);
   if (const auto* syntax = std::get_if<SyntaxError>(&document)) {
@@ -454,7 +474,7 @@ StudyOrErrors parse_study(std::string_view toml, const std::filesystem::path& fi
     return errors.sorted();
   }
   const auto absolute = std::filesystem::absolute(file).lexically_normal();
-  Study study = StudyReader(std::get<Value>(document), absolute, errors).read();
+  Study study = StudyReader(std::get<Value>(document), absolute, files, errors).read();
   if (!errors.empty()) return errors.sorted();
   return study;
 }

@@ -55,12 +55,16 @@
 //   columns = 70
 //   rows_per_m = 325
 //
+// [solver] with its inputs and outputs stands in place of profile, preset, soils, layers and zones: another
+// program (read_program.hpp).
+//
 // An alternative is the bound on its side of the baseline: the smaller number, or the choice listed first, is
 // the lower bound. A bound equal to the baseline reuses the baseline's run. `campaign list quantities` prints
 // every quantity with its unit, range and meaning.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -76,7 +80,17 @@ using StudyOrErrors = std::variant<Study, std::vector<StudyError>>;
 /// Reads a study file. A file that cannot be read is an error at line 0. Never throws for what the file says.
 [[nodiscard]] StudyOrErrors read_study(const std::filesystem::path& file);
 
+/// Whether files that a study names are looked for.
+enum class FilesBeside { read, left };
+
 /// The same from text; `file` names the study, its folder and its results.
-[[nodiscard]] StudyOrErrors parse_study(std::string_view toml, const std::filesystem::path& file);
+[[nodiscard]] StudyOrErrors parse_study(std::string_view toml, const std::filesystem::path& file,
+                                        FilesBeside files = FilesBeside::read);
+
+/// The same of a text that a ledger keeps: no file beside it is looked for, so that an external program lacks
+/// its template.
+[[nodiscard]] inline StudyOrErrors parse_stored_study(std::string_view toml, const std::string& name) {
+  return parse_study(toml, name + ".toml", FilesBeside::left);
+}
 
 }  // namespace cpt::parameters

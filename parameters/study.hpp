@@ -71,25 +71,27 @@ struct Design {
   std::size_t points = 0;  ///< its own; fewer than its runs where the study has some of them already
 };
 
-/// Depth interval over which q_c is averaged.
+/// Depth interval over which q_c is averaged; of an external program a scalar that it gives, or an interval
+/// of the abscissa over which a curve is averaged.
 struct Window {
-  enum class Kind { fixed, peak, trough };
+  enum class Kind { fixed, peak, trough, scalar };
   std::string name;
   Kind kind = Kind::fixed;
   double from = 0.0;   // [m] fixed: interval; peak/trough: where to look for it in the baseline's profile
   double to = 0.0;     // [m]
   double width = 0.0;  // [m] peak/trough: width of the interval centred on it
   std::vector<double> thresholds = {};  // [Pa] average q_c whose exceedance is asked for, rising
+  std::string output = {};              ///< declared output; empty: q_c
 };
 
 struct Study {
   std::filesystem::path file;  ///< absolute path of the study file
   std::string name;            ///< file name without extension
   std::string title;           ///< for reports; defaults to the name
-  solver::Profile profile;
-  solver::Preset preset;
-  solver::Setup baseline;  ///< preset + fixed inputs + every row's baseline
-  std::vector<Row> rows;   ///< in file order
+  solver::Profile profile;     ///< of the embedded solver
+  solver::Preset preset;       ///< of the embedded solver
+  solver::Setup baseline;      ///< preset + fixed inputs + every row's baseline
+  std::vector<Row> rows;       ///< in file order
   /// In file order, then the design's, then the repeats, then the bounds of rows with the repeats' shifts.
   std::vector<DesignPoint> points;
   Design design;
@@ -99,6 +101,8 @@ struct Study {
   std::filesystem::path curves;               ///< default NAME.h5
   std::filesystem::path report_dir;           ///< default NAME-report
   double wall_limit_seconds;                  ///< of one realization; infinity if not given
+  /// Prints the version of the external program, which is then to be put into the baseline; empty: told.
+  std::vector<std::string> version_command = {};
 };
 
 }  // namespace cpt::parameters

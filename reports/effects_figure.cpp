@@ -32,11 +32,11 @@ struct Drawn {
   std::string_view words;
 };
 
-Drawn drawn_of(std::string_view design) {
+Drawn drawn_of(std::string_view design, const Rich& average, const Rich& axis) {
   if (design == "pairs")
     return {"interaction",
             "",
-            symbolic("interaction in the average q_c (kPa)"),
+            plain("interaction in ") + axis,
             plain("interaction, its 95 % interval from the repeats"),
             {},
             "Bars: interaction of two inputs; lines: 95 % interval from the repeats."};
@@ -44,7 +44,7 @@ Drawn drawn_of(std::string_view design) {
     return {
         "mu_star",
         "sigma",
-        symbolic("elementary effect on the average q_c (kPa)"),
+        plain("elementary effect on ") + axis,
         plain("mean size μ* from lower to upper bound, 95 % interval"),
         plain("standard deviation σ"),
         "Bars: mean size μ* of the elementary effects, from lower to upper bound, with its 95 % interval; "
@@ -52,7 +52,7 @@ Drawn drawn_of(std::string_view design) {
         "inputs."};
   return {"total_order",
           "first_order",
-          symbolic("share of the variance of the average q_c (–)"),
+          plain("share of the variance of ") + average + plain(" (–)"),
           plain("with all interactions (total order), 95 % interval"),
           plain("alone (first order)"),
           "Bars: share of the variance with all interactions (total order) and its 95 % interval; circles: "
@@ -172,13 +172,15 @@ std::string effects_legend_words(std::string_view design) {
   if (design == "propagation")
     return "Line: share of the runs with an average of at most so much; circles: quantiles with their 95 % "
            "intervals.";
-  return std::string(drawn_of(design).words);
+  return std::string(drawn_of(design, {}, {}).words);
 }
 
 std::optional<std::string> effects_figure(const Snapshot& campaign, const Effects& effects,
                                           const results::WindowRow& window, Place place) {
   const double figure_width = width_of(place.column);
-  const Drawn drawn = drawn_of(effects.design);
+  const std::string where = place_of(campaign, window);
+  const Rich the = plain(window.is_scalar() ? "" : "the ");
+  const Drawn drawn = drawn_of(effects.design, the + average_of(window), the + axis_of(window));
   const std::vector<EffectBar> bars = effect_bars(campaign, effects, drawn, window.name);
   if (bars.empty() || !std::isfinite(bars.front().row.value)) return std::nullopt;
 
@@ -187,7 +189,7 @@ std::optional<std::string> effects_figure(const Snapshot& campaign, const Effect
     label_width = std::max(label_width, width(bar.label, bar_rows::label_size));
   const double room = figure_width - 28.0;
   std::vector<Rich> lines = {window_line(
-      window, plain(fmt::format(": design {}, {}", effects.design, depth_range(window.from_m, window.to_m))),
+      window, plain(fmt::format(": design {}{}{}", effects.design, where.empty() ? "" : ", ", where)),
       figure_width)};
   if (const std::string text = remark(effects, window.name, bars); !text.empty())
     lines.push_back(plain(shortened(text, room, 8.0)));

@@ -60,15 +60,17 @@ std::vector<NamedFigure> window_figures(const results::Snapshot& campaign, const
   std::ranges::replace(design, '_', ' ');
   return {
       {"tornado_" + part,
-       fmt::format("Range of the average cone resistance in window {} between each input's lower and upper "
-                   "bound, whose values stand at the bar's ends.",
-                   window.name),
+       fmt::format(
+           "Range of {} between each input's lower and upper bound, whose values stand at the bar's ends.",
+           window.output.empty() ? "the average cone resistance in window " + window.name
+           : window.is_scalar()  ? window.output
+                                 : fmt::format("the average {} in window {}", window.output, window.name)),
        tornado_figure(campaign, window, place)},
       {"sensitivity_" + part,
        fmt::format(
            "Sensitivity index SI of each input in window {}: the change of the average from the lower to "
            "the upper bound over that at the upper bound{}",
-           window.name, noise_words(campaign, window.name)),
+           window.name, window.output.empty() ? noise_words(campaign, window.name) : "."),
        sensitivity_figure(campaign, window, place)},
       {"effects_" + part,
        fmt::format("What the design {} says of window {}. {}", design, window.name,
@@ -108,13 +110,15 @@ std::vector<NamedFigure> campaign_figures(const results::Snapshot& campaign, con
     for (NamedFigure& figure :
          window_figures(campaign, effects, window, file_part(window.name, taken), column))
       figures.push_back(std::move(figure));
-  for (NamedFigure& figure : band_figures(campaign, effects, column)) figures.push_back(std::move(figure));
+  const bool pushes = !campaign.is_external();
+  if (pushes)
+    for (NamedFigure& figure : band_figures(campaign, effects, column)) figures.push_back(std::move(figure));
   figures.push_back({"profiles",
                      "Cone resistance of all realizations; those furthest from the baseline in a window are "
                      "told apart.",
-                     profiles_figure(campaign, column)});
+                     pushes ? profiles_figure(campaign, column) : std::nullopt});
   figures.push_back({"baseline", "Cone resistance of the baseline and the windows it is averaged in.",
-                     baseline_figure(campaign, column)});
+                     pushes ? baseline_figure(campaign, column) : std::nullopt});
   return figures;
 }
 

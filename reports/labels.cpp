@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "drawing/palette.hpp"
 #include "results/ledger/interrupted.hpp"
@@ -105,6 +106,28 @@ std::string shortened(std::string_view text, double room, double font_size, bool
 }
 
 std::string depth_range(double from_m, double to_m) { return fmt::format("{:.4f}–{:.4f} m", from_m, to_m); }
+
+std::string place_of(const Snapshot& campaign, const results::WindowRow& window) {
+  if (window.is_scalar() || !std::isfinite(window.from_m)) return "";
+  if (window.output.empty()) return depth_range(window.from_m, window.to_m);
+  const auto output = std::ranges::find(campaign.outputs, window.output, &results::OutputRow::name);
+  if (output == campaign.outputs.end()) return "";
+  return fmt::format("{} {}–{}{}", output->over, window.from_m, window.to_m,
+                     output->over_unit == "-" ? "" : " " + output->over_unit);
+}
+
+Rich average_of(const results::WindowRow& window) {
+  if (window.output.empty()) return symbolic("average q_c");
+  return plain(window.is_scalar() ? window.output : "average " + window.output);
+}
+
+std::string unit_behind(const results::WindowRow& window) {
+  return window.unit() == "-" ? "" : " " + window.unit();
+}
+
+Rich axis_of(const results::WindowRow& window) {
+  return average_of(window) + plain(window.unit() == "-" ? "" : fmt::format(" ({})", window.unit()));
+}
 
 Rich window_line(const results::WindowRow& window, const Rich& what, double figure_width) {
   return plain(

@@ -38,6 +38,16 @@ namespace cpt::reports {
 /// "0.5054–0.5255 m".
 [[nodiscard]] std::string depth_range(double from_m, double to_m);
 
+// What a window holds, of q_c or of what an external program gives (results::WindowRow::quantity).
+/// Where: "0.5054–0.5255 m", "time 10–20 d"; nothing for a scalar and where that is not known yet.
+[[nodiscard]] std::string place_of(const results::Snapshot& campaign, const results::WindowRow& window);
+/// "average q_c", "average settlement", of a scalar its name.
+[[nodiscard]] drawing::Rich average_of(const results::WindowRow& window);
+/// The same with its unit: "average q_c (kPa)".
+[[nodiscard]] drawing::Rich axis_of(const results::WindowRow& window);
+/// " kPa"; nothing for numbers without unit.
+[[nodiscard]] std::string unit_behind(const results::WindowRow& window);
+
 /// A window's name, cut where needed, before what is said of it in a figure's heading.
 [[nodiscard]] drawing::Rich window_line(const results::WindowRow& window, const drawing::Rich& what,
                                         double figure_width);

@@ -60,6 +60,7 @@ std::string moment(std::string_view time) {
 }
 
 std::string window_remark(const Snapshot& campaign, const results::WindowRow& window) {
+  if (!window.output.empty()) return "";  // of a push alone
   std::size_t runs = 0;
   double deepest = 0.0;  // [m]
   for (const results::CurveRow& curve : campaign.curves) {
@@ -83,13 +84,15 @@ bool to_come(const Snapshot& campaign, const results::SensitivityRow& row) {
          waiting(bound_run(campaign, row.parameter, "upper"));
 }
 
-std::string input_words(const Snapshot& campaign, const results::SensitivityRow& row) {
+std::string input_words(const Snapshot& campaign, const results::WindowRow& window,
+                        const results::SensitivityRow& row) {
   const results::ParameterRow& p = parameter_of(campaign, row.parameter);
   const std::string unit = p.unit.empty() || p.unit == "-" ? "" : " " + p.unit;
   std::string words = fmt::format("{}: {}", words_of(symbol_of(campaign, p)), p.meaning);
   for (const auto& [side, value, q_kPa] : {std::tuple{"lower", p.lower_text, row.q_lower_kPa},
                                            std::tuple{"upper", p.upper_text, row.q_upper_kPa}})
-    words += fmt::format("\n{} {}{}: {} kPa", side, value, unit, drawing::number(q_kPa, 4));
+    words +=
+        fmt::format("\n{} {}{}: {}{}", side, value, unit, drawing::number(q_kPa, 4), unit_behind(window));
   if (!std::isfinite(row.si) && to_come(campaign, row)) return words + "\nSI not known yet";
   words += "\nSI " + drawing::decimals(row.si, 4);
   if (std::isfinite(row.si_half_width)) words += " ± " + drawing::decimals(row.si_half_width, 4);

@@ -24,6 +24,7 @@ namespace cpt::reports {
 [[nodiscard]] bool to_come(const results::Snapshot& campaign, const results::SensitivityRow& row);
 
 /// An input with the averages at its bounds, its index and what must be known of it; a line each.
-[[nodiscard]] std::string input_words(const results::Snapshot& campaign, const results::SensitivityRow& row);
+[[nodiscard]] std::string input_words(const results::Snapshot& campaign, const results::WindowRow& window,
+                                      const results::SensitivityRow& row);
 
 }  // namespace cpt::reports

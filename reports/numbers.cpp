@@ -6,6 +6,8 @@
 
 #include "results/ledger/ledger_tables.hpp"
 #include "results/ledger/model_remarks.hpp"
+#include "results/tables/campaign_tables.hpp"
+#include "results/tables/output_names.hpp"
 #include "solver/channels.hpp"
 
 namespace cpt::reports {
@@ -54,6 +56,11 @@ Table window_table(const Snapshot& s) {
   return table;
 }
 
+Table output_table(const Snapshot& s) {
+  return results::table_with(s.outputs, results::output_table(),
+                             {"name", "unit", "meaning", "over_name", "over_unit"});
+}
+
 Table repeat_noise_table(const Snapshot& s) {
   return results::table_with(s.repeat_noise, results::repeat_noise_table(),
                              {"window", "runs", "q_c_mean_kPa", "q_c_deviation_kPa", "si_half_width"});
@@ -98,6 +105,7 @@ Table window_mean_table(const Snapshot& s) {
 }
 
 Table curve_table(const Snapshot& s) {
+  if (s.is_external()) return results::output_rows(s);
   Table table{{"realization", "depth_m"}, {}};
   for (const solver::Channel& channel : solver::channels()) table.columns.push_back(in_unit(channel, "kPa"));
   for (const auto& curve : s.curves)
@@ -111,8 +119,9 @@ Table curve_table(const Snapshot& s) {
   return table;
 }
 
-std::string report_json(const Snapshot& s, const results::Effects& effects) {
-  const auto rows = [](const Table& table) {
+std::string report_json(const Snapshot& s, const results::Effects& effects, Names names) {
+  const auto rows = [&](Table table) {
+    if (names == Names::shown) table = results::named_for_outputs(std::move(table), s);
     return nlohmann::ordered_json::parse(results::format(table, results::Format::json));
   };
   nlohmann::ordered_json all;
@@ -120,6 +129,7 @@ std::string report_json(const Snapshot& s, const results::Effects& effects) {
   all["imports"] = rows(import_table(s));
   all["remarks"] = results::model_remarks(s);
   all["parameters"] = rows(parameter_table(s));
+  if (s.is_external()) all["outputs"] = rows(output_table(s));
   all["windows"] = rows(window_table(s));
   all["realizations"] = rows(realization_table(s));
   all["window_means"] = rows(window_mean_table(s));

@@ -12,12 +12,15 @@ namespace cpt::reports {
 [[nodiscard]] results::Table sensitivity_table(const results::Snapshot& campaign);
 [[nodiscard]] results::Table realization_table(const results::Snapshot& campaign);
 [[nodiscard]] results::Table window_mean_table(const results::Snapshot& campaign);
-/// One line a depth bin: realization, depth_m and all channels in kPa.
+/// One line a depth bin: realization, depth_m and all channels in kPa; of an external program's campaign
+/// results::output_rows().
 [[nodiscard]] results::Table curve_table(const results::Snapshot& campaign);
 
 /// campaign, imports, parameters, windows, realizations, window_means, repeat_noise, sensitivity and effects
 /// with the name of the design; curves are in curves.csv.
-[[nodiscard]] std::string report_json(const results::Snapshot& campaign,
-                                      const results::Effects& effects = {});
+/// Of an external program's campaign also its outputs.
+enum class Names { stored, shown };  ///< of columns: the ledger's, or those of named_for_outputs()
+[[nodiscard]] std::string report_json(const results::Snapshot& campaign, const results::Effects& effects = {},
+                                      Names names = Names::stored);
 
 }  // namespace cpt::reports

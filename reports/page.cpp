@@ -68,6 +68,16 @@ Json answers(const std::vector<diagnosis::StoredAnswer>& stored) {
   return all;
 }
 
+/// What sentences and tables call a window's numbers.
+void describe(Json& window, const Snapshot& s, const results::WindowRow& row) {
+  window["remark"] = window_remark(s, row);
+  window["place"] = place_of(s, row);
+  window["quantity"] =
+      row.output.empty() ? label(drawing::symbolic("q_c")) : label(drawing::plain(row.output));
+  window["is_scalar"] = row.is_scalar();
+  window["unit"] = unit_behind(row);
+}
+
 /// The numbers of report.json, with labels, layers, curves and diagnoses.
 Json page_data(const Snapshot& s, const PageContext& context) {
   Json data = Json::parse(report_json(s, context.effects));
@@ -79,13 +89,14 @@ Json page_data(const Snapshot& s, const PageContext& context) {
     data["realizations"][i]["label"] = label(run_label(s, s.realizations[i]));
     newest = std::max(newest, s.realizations[i].finished);
   }
-  for (std::size_t i = 0; i < s.windows.size(); ++i)
-    data["windows"][i]["remark"] = window_remark(s, s.windows[i]);
+  for (std::size_t i = 0; i < s.windows.size(); ++i) describe(data["windows"][i], s, s.windows[i]);
+  data["external"] = s.is_external();
   data["layers"] = Json::array();
   for (const results::LayerRow& layer : s.layers)
     data["layers"].push_back({{"top_m", layer.top_m}, {"bottom_m", layer.bottom_m}, {"soil", layer.soil}});
   data["curves"] = Json::array();
   for (const results::CurveRow& curve : s.curves) {
+    if (s.is_external()) break;  // no curves over depth
     Json& drawn = data["curves"].emplace_back();
     drawn = {{"realization", curve.realization},
              {"depth_m", curve.profile.depth},

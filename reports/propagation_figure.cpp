@@ -30,7 +30,7 @@ constexpr std::array<std::pair<std::string_view, double>, 5> quantiles = {{{"qua
                                                                            {"quantile_75", 75.0},
                                                                            {"quantile_95", 95.0}}};
 
-// Averages of the design's runs [kPa], ascending.
+// Averages of the design's runs in the window's unit, ascending.
 std::vector<double> averages(const Snapshot& s, const Effects& effects, const std::string& window) {
   std::vector<double> found;
   for (const int run : effects.runs)
@@ -73,10 +73,11 @@ std::optional<std::string> propagation_figure(const Snapshot& campaign, const Ef
   if (sorted.size() < 2 || mean == nullptr || deviation == nullptr) return std::nullopt;
 
   const double figure_width = width_of(place.column);
+  const std::string where = place_of(campaign, window), unit = unit_behind(window);
   const std::vector<Rich> lines = {
-      window_line(window, plain(fmt::format(": {}", depth_range(window.from_m, window.to_m))), figure_width),
-      plain(fmt::format("{} runs: mean {} kPa, standard deviation {} kPa (95 %)", sorted.size(),
-                        with_interval(*mean), with_interval(*deviation)))};
+      window_line(window, plain(where.empty() ? "" : ": " + where), figure_width),
+      plain(fmt::format("{} runs: mean {}{}, standard deviation {}{} (95 %)", sorted.size(),
+                        with_interval(*mean), unit, with_interval(*deviation), unit))};
   FlowLegend legend;
   legend.line(plain("runs"), {palette::blue, 1.2, {}});
   legend.add(12.0, plain("5, 25, 50, 75, 95 % quantile, 95 % interval"), [](Svg& svg, Point at) {
@@ -85,7 +86,7 @@ std::optional<std::string> propagation_figure(const Snapshot& campaign, const Ef
   });
 
   drawing::XyPlot plot;
-  plot.x_title = symbolic("average q_c (kPa)");
+  plot.x_title = axis_of(window);
   plot.y_title = plain("share of the runs (%)");
   plot.x_ticks = place.column == drawing::Column::single ? 4 : 6;
   plot.room = {{sorted.front(), 0.0}, {sorted.back(), 100.0}};

@@ -4,6 +4,7 @@
 #include "reports/numbers.hpp"
 #include "reports/picture_files.hpp"
 #include "reports/supplement.hpp"
+#include "results/tables/output_names.hpp"
 
 namespace cpt::reports {
 
@@ -18,7 +19,8 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
 
   const auto table = [&](const char* name, const results::Table& numbers) {
     files.push_back(directory / name);
-    write_text(files.back(), results::format(numbers, results::Format::csv));
+    write_text(files.back(),
+               results::format(results::named_for_outputs(numbers, campaign), results::Format::csv));
   };
   table("sensitivity.csv", sensitivity_table(campaign));
   table("realizations.csv", realization_table(campaign));
@@ -27,7 +29,7 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
   if (!context.effects.rows.empty()) table("effects.csv", results::effects_table(context.effects));
   if (!context.effects.bands.empty()) table("bands.csv", results::bands_table(context.effects));
   files.push_back(directory / "report.json");
-  write_text(files.back(), report_json(campaign, context.effects));
+  write_text(files.back(), report_json(campaign, context.effects, Names::shown));
   files.push_back(directory / "report.pdf");
   write_pdf(supplement(campaign, campaign_figures(campaign, context.effects), context.effects, context.notes),
             campaign.campaign.title, campaign.campaign.created, files.back());

@@ -108,8 +108,9 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
           heading_height(campaign, 1, place.ground) + 4.0 + plot_height + 50.0 +
               legend.height(figure_width - 28.0),
           "sensitivity", place.ground);
-  const Rich what = plain(": ") + symbolic("SI = (q_upper − q_lower) / q_upper") +
-                    plain(" over " + depth_range(window.from_m, window.to_m));
+  Rich what = plain(": ") + symbolic("SI = (q_upper − q_lower) / q_upper");
+  if (const std::string where = place_of(campaign, window); !where.empty())
+    what = what + plain(" over " + where);
   const double top =
       draw_heading(svg, campaign, campaign.campaign.title, {window_line(window, what, figure_width)});
   const double left = 14.0 + label_width + 8.0;
@@ -130,7 +131,7 @@ std::optional<std::string> sensitivity_figure(const Snapshot& campaign, const re
   if (std::isfinite(noise))
     svg.line({axis(noise), plot.y}, {axis(noise), plot.bottom()}, {palette::ink, 1.0, "4 2.5"});
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    svg.begin_part(bar_rows::row(svg, row_y(i)), input_words(campaign, rows[i]));
+    svg.begin_part(bar_rows::row(svg, row_y(i)), input_words(campaign, window, rows[i]));
     bar_rows::draw_label(svg, plot, row_y(i), labels[i]);
     draw_interval(svg, axis, rows[i], row_y(i));
     draw_value(svg, axis, rows[i], row_y(i), to_come(campaign, rows[i]));

@@ -160,12 +160,20 @@ void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& win
     const auto rank = [](double si) { return si >= 0.0 ? si : -1.0; };
     return rank(a.si_abs) > rank(b.si_abs);
   });
-  out.paragraph(fmt::format(
-      "Average cone resistance over {}: {} kPa in the baseline, whose spread inside the window, "
-      "SI_noise, is {}. SI = (q at the upper bound − q at the lower bound) / q at the upper bound, "
-      "after Yost et al. (2023), eq. 3.",
-      depth_range(window.from_m, window.to_m), number(rows.front().q_baseline_kPa, 5),
-      decimals(rows.front().si_noise, 4)));
+  const std::string baseline = number(rows.front().q_baseline_kPa, 5);
+  const std::string where = place_of(s, window);
+  out.paragraph(
+      window.output.empty()
+          ? fmt::format(
+                "Average cone resistance over {}: {} kPa in the baseline, whose spread inside the window, "
+                "SI_noise, is {}. SI = (q at the upper bound − q at the lower bound) / q at the upper bound, "
+                "after Yost et al. (2023), eq. 3.",
+                where, baseline, decimals(rows.front().si_noise, 4))
+          : fmt::format(
+                "{}{}: {}{} in the baseline. SI = (q at the upper bound − q at the lower bound) / q at the "
+                "upper bound, with q the output.",
+                window.is_scalar() ? window.output : "Average " + window.output,
+                where.empty() ? "" : " over " + where, baseline, unit_behind(window)));
   if (const std::string remark = window_remark(s, window); !remark.empty()) out.paragraph(remark);
   const std::string so_far = results::repeats_so_far(s);
   if (const auto* noise = repeat_noise_of(s, window.name))
@@ -179,9 +187,10 @@ void write_indices(Writer& out, const Snapshot& s, const results::WindowRow& win
         loud_inputs(s, rows)));
   else if (const std::string words = loud_inputs(s, rows); !words.empty())
     out.paragraph(words);
+  const std::string unit = window.unit() == "-" ? "" : fmt::format(" ({})", window.unit());
   const std::vector<double> widths = {58, 42, 44, 42, 68, 68, 42, 38, text_width - 402};
-  out.row({plain("input"), plain("lower"), plain("baseline"), plain("upper"), plain("q lower (kPa)"),
-           plain("q upper (kPa)"), plain("SI (-)"), plain("± (-)"), plain("note")},
+  out.row({plain("input"), plain("lower"), plain("baseline"), plain("upper"), plain("q lower" + unit),
+           plain("q upper" + unit), plain("SI (-)"), plain("± (-)"), plain("note")},
           widths, true);
   for (const auto& row : rows) {
     const auto& p = parameter_of(s, row.parameter);
@@ -260,11 +269,16 @@ std::vector<PdfPage> supplement(const Snapshot& s, const std::vector<NamedFigure
   out.paragraph(state_of(s) + ".");
   for (const std::string& note : notes) out.paragraph(note + ".");
   const results::CampaignRow& c = s.campaign;
-  out.paragraph(fmt::format(
-      "Study {}, profile {}, preset {}; {}campaign begun {}.", c.name, c.profile, c.preset,
-      c.solver_version.empty() ? ""
-                               : fmt::format("program {}, solver {}; ", c.program_version, c.solver_version),
-      moment(c.created)));
+  const std::string solver =
+      s.is_external()
+          ? fmt::format("external program{}", c.solver_version.empty() ? "" : " " + c.solver_version)
+          : fmt::format("profile {}, preset {}", c.profile, c.preset);
+  out.paragraph(fmt::format("Study {}, {}; {}campaign begun {}.", c.name, solver,
+                            c.program_version.empty() ? ""
+                            : s.is_external()
+                                ? fmt::format("program {}; ", c.program_version)
+                                : fmt::format("program {}, solver {}; ", c.program_version, c.solver_version),
+                            moment(c.created)));
   write_imports(out, s);
   for (const std::string& remark : results::model_remarks(s)) out.paragraph("Note: " + remark + ".");
   for (const auto& window : s.windows) write_indices(out, s, window);

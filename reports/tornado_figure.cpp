@@ -160,10 +160,11 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
                         bar_rows::pitch * static_cast<double>(bars.size()) + 50.0 +
                         legend.height(figure_width - 28.0);
   Svg svg(figure_width, height, "tornado", place.ground);
-  Rich what =
-      plain(": ") + symbolic("average q_c ") + plain("over " + depth_range(window.from_m, window.to_m));
+  Rich what = plain(": ") + average_of(window);
+  if (const std::string where = place_of(campaign, window); !where.empty())
+    what = what + plain(" over " + where);
   if (place.column != Column::single)
-    what = what + plain(fmt::format("; baseline {} kPa", number(base->q_c_mean_kPa, 4)));
+    what = what + plain(fmt::format("; baseline {}{}", number(base->q_c_mean_kPa, 4), unit_behind(window)));
   const double top =
       draw_heading(svg, campaign, campaign.campaign.title, {window_line(window, what, figure_width)});
   const double left = 14.0 + label_width + 8.0;
@@ -171,8 +172,7 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
                  bar_rows::pitch * static_cast<double>(bars.size()) + 4.0};
   const Axis axis = tornado_axis(bars, base->q_c_mean_kPa, area.x, area.right());
 
-  draw_horizontal(svg, area, axis, Edge::bottom, symbolic("average q_c (kPa)"),
-                  place.column == Column::single ? 4 : 6);
+  draw_horizontal(svg, area, axis, Edge::bottom, axis_of(window), place.column == Column::single ? 4 : 6);
   if (noise) {
     const double from = std::max(area.x, axis(base->q_c_min_kPa));
     const double to = std::min(area.right(), axis(base->q_c_max_kPa));
@@ -182,7 +182,7 @@ std::optional<std::string> tornado_figure(const Snapshot& campaign, const result
   svg.line({x0, area.y}, {x0, area.bottom()}, {palette::ink, 1.0, {}});
   double y = area.y + 2.0 + 0.5 * bar_rows::pitch;
   for (const TornadoBar& bar : bars) {
-    svg.begin_part(bar_rows::row(svg, y), input_words(campaign, bar.row));
+    svg.begin_part(bar_rows::row(svg, y), input_words(campaign, window, bar.row));
     bar_rows::draw_label(svg, area, y, bar.label);
     draw_swing(svg, axis, bar, y, base->q_c_mean_kPa);
     svg.end_part();

@@ -49,10 +49,15 @@ std::string in_unit(const Channel& channel, std::string_view unit) {
 }
 
 bool is_even(const DepthProfile& profile) {
-  return std::ranges::all_of(all, [&](const Channel& channel) {
-    const std::vector<double>& values = profile.*channel.values;
-    return values.size() == profile.depth.size() || (values.empty() && !channel.required);
-  });
+  return std::ranges::all_of(all,
+                             [&](const Channel& channel) {
+                               const std::vector<double>& values = profile.*channel.values;
+                               return values.size() == profile.depth.size() ||
+                                      (values.empty() && !channel.required);
+                             }) &&
+         std::ranges::all_of(profile.declared, [](const ProgramResult& result) {
+           return result.y.size() == (result.x.empty() ? 1 : result.x.size());
+         });
 }
 
 }  // namespace cpt::solver

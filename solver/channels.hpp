@@ -13,6 +13,14 @@
 
 namespace cpt::solver {
 
+/// What an external program gave for one of its declared outputs (external_program.hpp).
+struct ProgramResult {
+  std::string name;
+  std::vector<double> x;  ///< abscissa of a curve, rising; empty of a scalar
+  std::vector<double> y;  ///< as long as x; one number of a scalar
+  friend bool operator==(const ProgramResult&, const ProgramResult&) = default;
+};
+
 /// Depth profile of a push, one row a depth bin. A channel that was not recorded, as by an earlier program,
 /// is empty; all others have the length of `depth`.
 struct DepthProfile {
@@ -20,6 +28,10 @@ struct DepthProfile {
   std::vector<double> q_c;               // [Pa]
   std::vector<double> f_s;               // [Pa]
   std::vector<double> wall_stress = {};  // [Pa]
+  /// In place of all others, of an external program: in the order and the units of their declaration.
+  std::vector<ProgramResult> declared = {};
+
+  [[nodiscard]] bool is_empty() const { return depth.empty() && declared.empty(); }
 };
 
 /// What a step tells the channels.
@@ -44,8 +56,8 @@ struct Channel {
   double deviation_over_q_c;
 };
 
-/// All members of a profile but the depths.
-inline constexpr std::size_t channel_count = sizeof(DepthProfile) / sizeof(std::vector<double>) - 1;
+/// All members of a profile but the depths and what an external program gave.
+inline constexpr std::size_t channel_count = sizeof(DepthProfile) / sizeof(std::vector<double>) - 2;
 
 /// q_c first.
 [[nodiscard]] std::span<const Channel> channels();
@@ -53,7 +65,8 @@ inline constexpr std::size_t channel_count = sizeof(DepthProfile) / sizeof(std::
 /// The name with what stands behind it in columns: "q_c_kPa".
 [[nodiscard]] std::string in_unit(const Channel& channel, std::string_view unit);
 
-/// Whether all channels have one value a bin or none, the required ones one a bin.
+/// Whether all channels have one value a bin or none, the required ones one a bin; and a declared curve as
+/// many ordinates as abscissas.
 [[nodiscard]] bool is_even(const DepthProfile& profile);
 
 }  // namespace cpt::solver

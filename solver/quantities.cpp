@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -248,6 +249,75 @@ std::span<const Quantity> quantities_of(const Soil& soil) {
   return place->second;
 }
 
+// What the input of an external program is as a quantity, made once for each declaration.
+const Quantity& program_quantity(const ProgramInput& input) {
+  struct Made {
+    ProgramInput declared;  // owns what the quantity's views show
+    Quantity quantity;
+  };
+  static std::mutex guard;
+  static std::deque<Made> made;
+  const std::lock_guard lock(guard);
+  const auto known = std::ranges::find(made, input, &Made::declared);
+  if (known != made.end()) return known->quantity;
+  Made& added = made.emplace_back(input);
+  const auto place_in = [&name = added.declared.name](const Setup& setup) {
+    const auto& inputs = setup.program->inputs;
+    const auto found = std::ranges::find(inputs, name, &ProgramInput::name);
+    if (found == inputs.end()) throw std::logic_error("the program has no input " + name);
+    return static_cast<std::size_t>(found - inputs.begin());
+  };
+  const ProgramInput& d = added.declared;
+  added.quantity = {d.name,
+                    d.name,
+                    d.unit,
+                    1.0,
+                    d.min,
+                    d.max,
+                    {},
+                    d.integer,
+                    "",
+                    nullptr,
+                    d.meaning,
+                    "the study",
+                    [=](const Setup& setup) { return setup.program_inputs[place_in(setup)]; },
+                    [=](Setup& setup, double value) { setup.program_inputs[place_in(setup)] = value; }};
+  return added.quantity;
+}
+
+// On one line.
+std::string quoted(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    if (c == '\\' || c == '"') line.push_back('\\');
+    if (c == '\n')
+      line.append("\\n");
+    else
+      line.push_back(c);
+  }
+  return fmt::format("\"{}\"", line);
+}
+
+std::string canonical_program_text(const Setup& setup) {
+  const ExternalProgram& program = *setup.program;
+  std::string command;
+  for (const std::string& word : program.command)
+    command += fmt::format("{}{}", command.empty() ? "" : " ", quoted(word));
+  std::string text =
+      fmt::format("solver.command = {}\nsolver.version = {}\n", command, quoted(program.version));
+  if (!program.template_name.empty())
+    text += fmt::format("solver.template = {} {}\n", quoted(program.template_name),
+                        quoted(program.template_text));
+  if (!program.results.empty()) text += fmt::format("solver.results = {}\n", quoted(program.results));
+  for (const Quantity* quantity : quantities_of(setup))
+    text += fmt::format("{} = {}\n", quantity->name, quantity->format(quantity->value(setup)));
+  for (const ProgramOutput& output : program.outputs)
+    text += fmt::format(
+        "solver.outputs = {} {}{}\n", output.name, quoted(output.unit),
+        output.is_curve() ? fmt::format(" over {} {}", output.over, quoted(output.over_unit)) : "");
+  return text;
+}
+
 bool default_soils(const Setup& setup) {
   return std::ranges::equal(setup.soils, default_setup().soils, same_kind);
 }
@@ -258,6 +328,10 @@ std::span<const Quantity> all_quantities() { return lists().defaults; }
 
 std::vector<const Quantity*> quantities_of(const Setup& setup) {
   std::vector<const Quantity*> list;
+  if (setup.program != nullptr) {
+    for (const ProgramInput& input : setup.program->inputs) list.push_back(&program_quantity(input));
+    return list;
+  }
   for (const Soil& soil : setup.soils)
     for (const Quantity& quantity : quantities_of(soil)) list.push_back(&quantity);
   for (const Quantity& quantity : all_quantities().subspan(lists().others)) list.push_back(&quantity);
@@ -316,6 +390,7 @@ std::string Quantity::format(double study_value) const {
 }
 
 std::string canonical_text(const Setup& setup) {
+  if (setup.program != nullptr) return canonical_program_text(setup);
   std::string text;
   if (!default_soils(setup))
     for (const Soil& soil : setup.soils)

@@ -47,8 +47,9 @@ struct Quantity {
 
 /// Those of a setup that names no soils of its own.
 [[nodiscard]] std::span<const Quantity> all_quantities();
-/// Those of any setup, in the order of canonical_text. They live as long as the program: one and the same
-/// object for the same soil and law.
+/// Those of any setup, in the order of canonical_text; of one with an external program its inputs and no
+/// others. They live as long as the program: one and the same object for the same soil and law, or the same
+/// declaration of an input.
 [[nodiscard]] std::vector<const Quantity*> quantities_of(const Setup& setup);
 /// nullptr if there is none. Without a setup: among all_quantities().
 [[nodiscard]] const Quantity* find_quantity(std::string_view name);
@@ -66,7 +67,8 @@ struct Quantity {
 
 /// All inputs, layers and zones of material points, one "name = value" line each in study units. Values read
 /// back to the same double, so that equal texts mean equal runs. Quantities with a silent default are left
-/// out where they have it, and so are the soils where a setup names none of its own.
+/// out where they have it, and so are the soils where a setup names none of its own. With an external program
+/// its command, version, template and outputs, and its inputs.
 [[nodiscard]] std::string canonical_text(const Setup& setup);
 
 }  // namespace cpt::solver

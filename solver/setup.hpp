@@ -6,8 +6,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "solver/external_program.hpp"
 #include "solver/mechanisms/mechanisms.hpp"
 #include "solver/soils/soil.hpp"
 
@@ -103,6 +105,9 @@ struct Setup {
   Penetrometer penetrometer;
   Numerics numerics;
   Mechanisms mechanisms;
+  /// Runs in place of the embedded solver, which all of the above is for; none: the embedded one.
+  std::shared_ptr<const ExternalProgram> program = nullptr;
+  std::vector<double> program_inputs = {};  // one for each of its inputs
 };
 
 /// True where some layer is of that soil.

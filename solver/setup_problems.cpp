@@ -284,6 +284,15 @@ void Check::cells() {
 
 }  // namespace
 
-std::vector<Problem> problems(const Setup& setup) { return Check(setup).run(); }
+std::vector<Problem> problems(const Setup& setup) {
+  if (setup.program == nullptr) return Check(setup).run();
+  std::vector<Problem> found;
+  for (const Quantity* quantity : quantities_of(setup))
+    if (const double value = quantity->get(setup); !(value >= quantity->min && value <= quantity->max))
+      found.push_back(
+          {quantity->name, fmt::format("{} is outside the valid range {} to {}", given(setup, quantity->name),
+                                       quantity->min, quantity->max)});
+  return found;
+}
 
 }  // namespace cpt::solver

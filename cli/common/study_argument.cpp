@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <memory>
+#include <vector>
 
+#include "campaign/external/program_version.hpp"
 #include "cli/common/input_kind.hpp"
 #include "cli/exchange/read_table.hpp"
 #include "parameters/all_realizations.hpp"
@@ -38,6 +41,20 @@ std::string data_of(const std::string& study_text, const std::filesystem::path& 
   return sections;
 }
 
+void find_version(parameters::Study& study, const std::filesystem::path& file) {
+  if (study.version_command.empty()) return;
+  solver::ExternalProgram program = *study.baseline.program;
+  try {
+    program.version = campaign::program_version(study.version_command, program.folder);
+  } catch (const campaign::NoVersion& problem) {
+    const std::vector<parameters::StudyError> errors = {
+        {file.string(), 0, 0, "solver.version", problem.what(),
+         "a command that prints the version, or the version itself as a text"}};
+    throw BadInput(parameters::format(errors));
+  }
+  study.baseline.program = std::make_shared<const solver::ExternalProgram>(std::move(program));
+}
+
 }  // namespace
 
 StudyFile read_study_file(const std::filesystem::path& file) {
@@ -46,7 +63,17 @@ StudyFile read_study_file(const std::filesystem::path& file) {
   auto parsed = parameters::parse_study(text, file);
   if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
     throw BadInput(parameters::format(*errors));
-  return {std::get<parameters::Study>(std::move(parsed)), std::move(text)};
+  StudyFile read{std::get<parameters::Study>(std::move(parsed)), std::move(text)};
+  find_version(read.study, file);
+  return read;
+}
+
+void refuse_external(const parameters::Study& study, std::string_view command) {
+  if (study.baseline.program != nullptr)
+    throw BadInput(
+        fmt::format("{}: its solver is another program ([solver]), and {} is about pushes of the embedded "
+                    "one; run, query, report, export, import and rerun take it",
+                    study.file.string(), command));
 }
 
 parameters::Realization find_realization(const parameters::Study& study, int id) {

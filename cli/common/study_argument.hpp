@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "parameters/realization.hpp"
 #include "parameters/study.hpp"
@@ -21,8 +22,11 @@ struct StudyFile {
   std::string text;
 };
 
-/// Throws BadInput with all of the study's errors.
+/// Throws BadInput with all of the study's errors. An external program is asked for its version, where the
+/// study says how.
 [[nodiscard]] StudyFile read_study_file(const std::filesystem::path& file);
+/// Throws BadInput where an external program is the study's solver: the command needs a push.
+void refuse_external(const parameters::Study& study, std::string_view command);
 
 /// Realization of the study by its id; throws BadInput if there is none.
 [[nodiscard]] parameters::Realization find_realization(const parameters::Study& study, int id);

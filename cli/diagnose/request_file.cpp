@@ -39,6 +39,7 @@ RequestFile read_request_file(const std::filesystem::path& file, const std::file
   RequestFile asked;
   if (!study_file.empty()) {
     StudyFile study = study_of(study_file, request_problems(text, file, Recordings::given));
+    refuse_external(study.study, "diagnose");
     asked.study = std::move(study.study);
     asked.study_text = std::move(study.text);
   }

@@ -58,6 +58,7 @@ results::Table told(const results::Emulator& emulator) {
 
 int emulate(const EmulateArguments& arguments) {
   const StudyFile study = read_study_file(arguments.study);
+  refuse_external(study.study, "emulate");
   const results::Emulator emulator = emulator_of(arguments, study);
   if (arguments.next > 0) {
     fmt::print("{}", next_points(study.study, emulator, arguments.next));

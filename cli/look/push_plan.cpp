@@ -75,6 +75,7 @@ std::string recorded(const Push& push) {
 Push plan_push(const PushArguments& arguments) {
   Push push;
   push.study = read_study_file(arguments.study).study;
+  refuse_external(push.study, "push");
   push.realization = find_realization(push.study, arguments.id);
   push.setup = parameters::make_setup(push.study, push.realization);
   for (const std::string& setting : arguments.settings) set_quantity(push.setup, setting, "");

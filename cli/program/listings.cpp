@@ -245,7 +245,9 @@ Table commands(bool) {
 
 Table environment(bool) {
   return {{"variable", "meaning"},
-          {{"CPT_RECORDINGS", "folder of recordings that do not lie beside their request"},
+          {{"PATH", "where the program of an external solver is looked for (external-solvers.md)"},
+           {"OMP_NUM_THREADS", "handed to an external solver; the realization's threads where it is not set"},
+           {"CPT_RECORDINGS", "folder of recordings that do not lie beside their request"},
            {"CPT_INSTRUCTION_SET",
             "avx2 or baseline: the widest vector instructions to use, where the processor has wider ones"},
            {"OMPI_ALLOW_RUN_AS_ROOT",
@@ -272,7 +274,9 @@ Table files(bool) {
        {"NAME.sqlite", "the campaign's ledger: realizations, settings, curves, window means (schema.md)"},
        {"NAME.h5", "its curves as HDF5"},
        {"NAME-report/", "its report, index.html first"},
-       {"NAME.checkpoints/", "states of pushes that are not finished"},
+       {"NAME.checkpoints/", "states of realizations that are not finished"},
+       {"NAME.work/",
+        "work folders of an external solver, those of failed realizations (external-solvers.md)"},
        {"NAME-diagnosis.sqlite", "runs that diagnoses of the study NAME made"},
        {"NAME-push/", "fields and histories of `campaign push` (output.md)"},
        {"NAME-cases/, NAME-sealed/", "what `campaign conceal` drew: recordings and requests; the truth"}}};

@@ -1,10 +1,13 @@
 #include "cli/run/plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
+#include "campaign/external/run_program.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/run/sample_growth.hpp"
 #include "parameters/all_realizations.hpp"
@@ -52,13 +55,58 @@ void print_plan(const parameters::Study& study) {
                           found ? status_of(found->matching.realizations.at(k++), found->under_way) : "new"});
   }
   fmt::print("{}", results::format(table, results::Format::table));
+  if (const auto& program = study.baseline.program)
+    fmt::print(
+        "each runs {}{}\n",
+        fmt::join(campaign::resolved_command(program->command, program->folder, program->template_name), " "),
+        program->version.empty() ? "" : fmt::format(", version {}", program->version));
   if (const std::string note = growth_note(study); !note.empty()) fmt::print("{}\n", note);
   if (!found) return;
   for (const std::string& message : found->opened.messages) fmt::print("{}\n", message);
   if (const std::string advice = growth_advice(study, *found); !advice.empty()) fmt::print("{}\n", advice);
 }
 
+void print_points(const parameters::Study& study, results::Format format) {
+  const std::vector<const solver::Quantity*> varied = parameters::varied_quantities(study);
+  results::Table table{{"realization", "name"}, {}};
+  for (const solver::Quantity* quantity : varied) table.columns.push_back(quantity->name);
+  for (const parameters::Realization& realization : parameters::all_realizations(study)) {
+    const solver::Setup setup = make_setup(study, realization);
+    std::string name(parameter_name(study, realization));
+    if (realization.point < 0)
+      name += fmt::format("{}{}", name.empty() ? "" : " ", to_string(realization.side));
+    std::vector<results::Cell>& row = table.rows.emplace_back();
+    row = {std::int64_t{realization.id}, name};
+    for (const solver::Quantity* quantity : varied) {
+      const double value = quantity->value(setup);
+      row.push_back(quantity->choices.empty() ? results::Cell(value)
+                                              : results::Cell(quantity->format(value)));
+    }
+  }
+  fmt::print("{}", results::format(table, format));
+}
+
+namespace {
+
+// Nothing of it is run: that the program is there is all that can be said.
+int validate_program(const parameters::Study& study) {
+  const solver::ExternalProgram& program = *study.baseline.program;
+  const std::vector<std::string> words =
+      campaign::resolved_command(program.command, program.folder, program.template_name);
+  if (!campaign::is_there(words.front())) {
+    fmt::print("{}: there is no such program\n", words.front());
+    return bad_input;
+  }
+  fmt::print("{} is valid: program {}, {} realizations, {} window{}\n", study.file.filename().string(),
+             fmt::join(words, " "), parameters::all_realizations(study).size(), study.windows.size(),
+             study.windows.size() == 1 ? "" : "s");
+  return all_well;
+}
+
+}  // namespace
+
 int validate(const parameters::Study& study) {
+  if (study.baseline.program) return validate_program(study);
   int bad = 0;
   std::int64_t material_points = 0;
   const auto realizations = parameters::all_realizations(study);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -60,7 +61,13 @@ int compare_runs(const results::StoredRun& stored, const solver::Outcome& outcom
     return rerun_differs;
   }
   const solver::DepthProfile before = stored.profile.value_or(solver::DepthProfile{});
-  if (const auto bin = results::first_difference(before, outcome.profile)) {
+  const auto bin = results::first_difference(before, outcome.profile);
+  if (!outcome.profile.declared.empty() || !before.declared.empty()) {
+    fmt::print("realization {} is {} as before; its outputs are {}\n", id, stored.row.status,
+               bin ? "different" : "identical bit for bit");
+    return bin ? rerun_differs : all_well;
+  }
+  if (bin) {
     const auto q_c = [&](const solver::DepthProfile& profile) {
       return *bin < profile.q_c.size() ? fmt::format("{:.17g} kPa", profile.q_c[*bin] * 1e-3)
                                        : std::string("nothing");
@@ -82,6 +89,11 @@ int rerun(const RerunArguments& arguments) {
   order.realization = arguments.id;
   order.setup = parameters::make_setup(study, find_realization(study, arguments.id));
   order.wall_limit_seconds = study.wall_limit_seconds;
+  if (order.setup.program) {
+    order.work =
+        (study.database.parent_path() / fmt::format("{}.rerun-{:04}", study.name, arguments.id)).string();
+    order.hang_limit_seconds = std::numeric_limits<double>::infinity();
+  }
   order.threads = arguments.threads > 0 ? arguments.threads : campaign::use_allowed_cores(false);
   const results::StoredRun stored = find_stored(file, order.setup, arguments.id);
   const std::optional<solver::Outcome> outcome = run_alone(order, arguments.executor);

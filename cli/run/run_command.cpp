@@ -26,6 +26,7 @@ struct RunArguments {
   bool plan = false;
   bool quiet = false;
   bool no_report = false;
+  results::Format format = results::Format::table;
   std::string executor;
   campaign::RunOptions options;
 };
@@ -83,6 +84,10 @@ int run(const RunArguments& arguments) {
   if (arguments.validate || arguments.plan) {
     if (!first_rank) return all_well;
     const StudyFile file = read_study_file(arguments.study);
+    if (arguments.plan && arguments.format != results::Format::table) {
+      print_points(file.study, arguments.format);
+      return arguments.validate ? validate(file.study) : all_well;
+    }
     print_remarks(file.study);
     if (arguments.plan) print_plan(file.study);
     return arguments.validate ? validate(file.study) : all_well;
@@ -105,6 +110,15 @@ void add_run(CLI::App& program, Action& action) {
       ->required();
   command->add_flag("--validate", arguments->validate, "Check the study, build every model once, and quit");
   command->add_flag("--plan", arguments->plan, "Print the realizations and quit");
+  command
+      ->add_option_function<std::string>(
+          "--format",
+          [arguments](const std::string& name) {
+            arguments->format = results::format_from_string(name).value();
+          },
+          "Of --plan: table (to read), or csv or json, a row a realization with all its inputs [table]")
+      ->type_name("")
+      ->check(CLI::IsMember({"table", "csv", "json"}).description(""));
 
   const auto count = CLI::Range(1, 4096).description("");
   command->add_option("--slots", options.slots, "Cores each rank uses [its share of the machine's]")

@@ -29,7 +29,8 @@ const percent = (value) => {
   const shown = Math.round(1000 * value) / 10 || 0; // neither +0.0 nor −0.0
   return `${shown > 0 ? "+" : ""}${decimals(shown, 1)} %`;
 };
-const depths = (window) => `${decimals(window.from_m, 4)}–${decimals(window.to_m, 4)} m`;
+/// " (kPa)" behind what a column of a window's numbers is called.
+const in_unit = (window) => (window.unit ? ` (${window.unit.trim()})` : "");
 /// UTC as ISO 8601 writes it, to the second: "2026-11-29T18:20:33Z".
 const moment = (text) => (text ? text.replace(/\.\d+Z$/, "Z") : text);
 function duration(seconds) {
@@ -44,7 +45,6 @@ const rich = (label) => {
   for (const [text, below] of label) fragment.append(below ? el("sub", {}, text) : text);
   return fragment;
 };
-const q_c = [["q", false], ["c", true]];
 
 /// Replaces the text of SVG labels by labels with subscripts, in their order.
 function set_labels(svg, group, labels) {

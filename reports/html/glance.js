@@ -33,7 +33,7 @@ function of_bounds(window) {
   const ends = apart(first.q_lower_kPa, first.q_upper_kPa);
   const quiet = within_noise(first) ? ", which is within the noise" : "";
   return [some, rich(parameter_of.get(first.parameter).label), ` ${some ? "alone " : ""}changes it most${some ? "" : " of all inputs alone"}, ` +
-    `from ${ends[0]} kPa at its lower to ${ends[1]} kPa at its upper bound${quiet}. `];
+    `from ${ends[0]}${window.unit} at its lower to ${ends[1]}${window.unit} at its upper bound${quiet}. `];
 }
 
 function of_noise(window) {
@@ -60,7 +60,7 @@ const largest_share = { quantity: "total_order", words: "holds the largest share
 /// "2135 kPa (95 %: 2106 to 2164)"
 function estimated(row) {
   const interval = known(row.lower) ? ` (95 %: ${number(row.lower)} to ${number(row.upper)})` : "";
-  return `${number(row.value)} ${row.unit}${interval}`;
+  return `${number(row.value)}${row.unit === "-" ? "" : ` ${row.unit}`}${interval}`;
 }
 
 /// "above 250 kPa with a probability of 12.5 % (95 %: 9.1 to 16)"
@@ -70,13 +70,13 @@ function exceeded(row) {
     (known(row.lower) ? ` (95 %: ${percent(row.lower)} to ${percent(row.upper)})` : "");
 }
 
-/// What q_c is worth with distributed inputs.
+/// What a window's average is worth with distributed inputs.
 function of_propagation(window) {
   const row = (quantity) => effects_in(window, quantity).find((one) => known(one.value));
   const mean = row("mean"), deviation = row("standard_deviation"), low = row("quantile_05"), high = row("quantile_95");
   if (!mean || !deviation || !low || !high) return ["The design (propagation) says nothing yet."];
   return [`With its inputs drawn from their distributions it averages ${estimated(mean)}, with a standard deviation of ` +
-    `${estimated(deviation)}; nine of ten values lie between ${number(low.value)} and ${number(high.value)} kPa` +
+    `${estimated(deviation)}; nine of ten values lie between ${number(low.value)} and ${number(high.value)}${window.unit}` +
     `${effects_in(window, "exceedance").filter((one) => known(one.value)).map((one) => `; ${exceeded(one)}`).join("")}` +
     `${mean.dropped ? `; ${mean.dropped} runs are missing` : ""}.` +
     `${data.stopped ? ` By the study's rule, ${data.stopped}.` : ""}`];
@@ -111,6 +111,9 @@ function profile_words(campaign) {
   return `${campaign.layers.length} layers of ${names}`;
 }
 
+/// What stands between a window's name and what is said of it.
+const place_before = (window) => (window.place ? `(${window.place}): ` : ": ");
+
 function glance() {
   const done = runs.filter((run) => run.status === "completed").length;
   const lost = runs.filter(failed).length;
@@ -129,8 +132,8 @@ function glance() {
     not_needed ? fact("not needed", String(not_needed)) : null,
     has_design ? fact("design", data.design.replaceAll("_", " ")) : null,
     fact("computing time", duration(seconds)),
-    fact("profile", profile_words(data)),
-    fact("preset", data.campaign.preset));
+    data.external ? fact("solver", `external program ${data.campaign.solver_version}`.trim()) : fact("profile", profile_words(data)),
+    data.external ? null : fact("preset", data.campaign.preset));
   byId("glance").append(
     el("progress", { max: runs.length, value: done, "aria-label": "realizations completed" }), facts);
   for (const remark of data.remarks) byId("glance").append(el("p", { class: "warn" }, `Note: ${remark}.`));
@@ -139,10 +142,11 @@ function glance() {
     const mean_here = baseline && mean(baseline, window);
     if (window.problem) text.append(el("span", { class: "warn" }, window.problem));
     else if (mean_here)
-      put(text, `(${depths(window)}): the baseline's `, rich(q_c), ` averages ${number(mean_here.q_c_mean_kPa)} kPa. `,
+      put(text, `${place_before(window)}the baseline's `, rich(window.quantity),
+        ` ${window.is_scalar ? "is" : "averages"} ${number(mean_here.q_c_mean_kPa)}${window.unit}. `,
         ...of_bounds(window), ...of_noise(window), ...of_design(window),
         window.remark ? el("span", { class: "warn" }, ` ${window.remark}`) : null);
-    else put(text, `(${depths(window)}): `, el("span", { class: baseline && waiting(baseline) ? "muted" : "warn" },
+    else put(text, place_before(window), el("span", { class: baseline && waiting(baseline) ? "muted" : "warn" },
       `nothing to compare with, ${no_baseline(window)}.`));
     byId("glance").append(text);
   }

@@ -1,6 +1,16 @@
 // The table of realizations, which sorts and filters; the profiles show what it shows.
 "use strict";
 
+/// Steps and audit, which another program's runs do not have.
+const of_a_push = [
+  { name: "steps", numeric: true, screen: true, value: (run) => run.steps || null },
+  { name: "energy error", numeric: true, value: (run) => run.energy_error, show: (run) => number(run.energy_error, 2) },
+  { name: "momentum error", numeric: true, screen: true, value: (run) => run.momentum_error, show: (run) => number(run.momentum_error, 2) },
+  { name: "kinetic energy", numeric: true, screen: true, value: (run) => run.kinetic_fraction, show: (run) => number(run.kinetic_fraction, 2) },
+  { name: "out of line", long: true, value: (run) => run.out_of_line },
+  { name: "mass error", numeric: true, screen: true, value: (run) => run.mass_error, show: (run) => number(run.mass_error, 2) },
+];
+
 function realizations() {
   const base = (window) => baseline && mean(baseline, window);
   const columns = [
@@ -12,7 +22,7 @@ function realizations() {
       const many = data.windows.length > 1 ? `, ${window.name}` : "";
       const screen = data.windows.length > 2;
       return [
-        { name: `mean q_c (kPa)${many}`, numeric: true, value: (run) => mean(run, window)?.q_c_mean_kPa,
+        { name: `${window.is_scalar ? "" : "mean "}${name_of(window)}${in_unit(window)}${window.is_scalar ? "" : many}`, numeric: true, value: (run) => mean(run, window)?.q_c_mean_kPa,
           show: (run) => number(mean(run, window)?.q_c_mean_kPa, 5) },
         { name: `to baseline${many}`, numeric: true, screen,
           value: (run) => (mean(run, window) && base(window) ? mean(run, window).q_c_mean_kPa / base(window).q_c_mean_kPa - 1 : NaN),
@@ -20,12 +30,7 @@ function realizations() {
       ];
     }),
     { name: "time (s)", numeric: true, value: (run) => run.wall_s, show: (run) => decimals(run.wall_s, 1) },
-    { name: "steps", numeric: true, screen: true, value: (run) => run.steps || null },
-    { name: "energy error", numeric: true, value: (run) => run.energy_error, show: (run) => number(run.energy_error, 2) },
-    { name: "momentum error", numeric: true, screen: true, value: (run) => run.momentum_error, show: (run) => number(run.momentum_error, 2) },
-    { name: "kinetic energy", numeric: true, screen: true, value: (run) => run.kinetic_fraction, show: (run) => number(run.kinetic_fraction, 2) },
-    { name: "out of line", long: true, value: (run) => run.out_of_line },
-    { name: "mass error", numeric: true, screen: true, value: (run) => run.mass_error, show: (run) => number(run.mass_error, 2) },
+    ...(data.external ? [] : of_a_push),
     { name: "reason", long: true, value: (run) => run.reason },
   ];
   const state = kept("table", { by: "id", down: false, text: "", status: "" });
@@ -80,7 +85,7 @@ function realizations() {
       ...columns.map((column) => cell(column.show ? column.show(run) : text_of(column, run), column)))));
     shown.out = new Set(runs.filter((run) => !fits(run)).map((run) => run.id));
     count.textContent = rows.length === runs.length ? `all ${runs.length}`
-      : `${rows.length} of ${runs.length}; the profiles show the same and what is highlighted`;
+      : `${rows.length} of ${runs.length}${data.external ? "" : "; the profiles show the same and what is highlighted"}`;
     changed.pins.forEach((tell) => tell !== tick && tell());
   }
   function tick() {

@@ -37,9 +37,27 @@ void fill(const Hdf5Group& root, const CurveFile& content) {
     for (std::size_t i = 0; i < std::size(text_attributes); ++i)
       group.put_text(text_attributes[i], curve.*text_members[i]);
     if (curve.value) group.put_number("value", *curve.value);
+    for (const solver::ProgramResult& result : curve.declared) {
+      if (!result.x.empty()) group.put_array(result.name + ".x", result.x);
+      group.put_array(result.name, result.y);
+    }
+    if (!curve.declared.empty()) continue;
     group.put_array("depth_m", curve.depth_m);
     for (const auto& [name, values] : curve.channels_kPa) group.put_array(name + "_kPa", values);
   }
+}
+
+// In the order of their names.
+std::vector<solver::ProgramResult> declared_in(const Hdf5Group& group,
+                                               const std::vector<std::string>& stored) {
+  std::vector<solver::ProgramResult> declared;
+  for (const std::string& name : stored)
+    if (!name.ends_with(".x"))
+      declared.push_back({name,
+                          std::ranges::find(stored, name + ".x") == stored.end() ? std::vector<double>{}
+                                                                                 : group.array(name + ".x"),
+                          group.array(name)});
+  return declared;
 }
 
 CurveFile content_of(const Hdf5Group& root) {
@@ -53,8 +71,13 @@ CurveFile content_of(const Hdf5Group& root) {
     for (std::size_t k = 0; k < std::size(text_attributes); ++k)
       curve.*text_members[k] = group.text(text_attributes[k]);
     curve.value = group.number("value");
-    curve.depth_m = group.array("depth_m");
     const std::vector<std::string> stored = group.names();
+    if (std::ranges::find(stored, "depth_m") == stored.end()) {
+      curve.declared = declared_in(group, stored);
+      content.curves.push_back(std::move(curve));
+      continue;
+    }
+    curve.depth_m = group.array("depth_m");
     for (const solver::Channel& channel : solver::channels())
       if (const std::string dataset = in_unit(channel, "kPa");
           channel.required || std::ranges::find(stored, dataset) != stored.end())
@@ -99,11 +122,20 @@ CurveFile content_of(const Snapshot& snapshot) {
     if (row == snapshot.realizations.end()) throw Error("a curve has no realization");
     const auto parameter = std::find_if(snapshot.parameters.begin(), snapshot.parameters.end(),
                                         [&](const ParameterRow& p) { return p.name == row->parameter; });
-    content.curves.push_back({row->id, row->parameter, row->side, row->value_text,
-                              parameter == snapshot.parameters.end() ? "" : parameter->unit, row->status,
+    content.curves.push_back({row->id,
+                              row->parameter,
+                              row->side,
+                              row->value_text,
+                              parameter == snapshot.parameters.end() ? "" : parameter->unit,
+                              row->status,
                               row->settings_hash,
                               std::isnan(row->value) ? std::nullopt : std::optional(row->value),
-                              curve.profile.depth, channels_kPa(curve.profile)});
+                              curve.profile.depth,
+                              {},
+                              curve.profile.declared});
+    StoredCurve& stored = content.curves.back();
+    if (stored.declared.empty()) stored.channels_kPa = channels_kPa(curve.profile);
+    std::ranges::sort(stored.declared, {}, &solver::ProgramResult::name);
   }
   return content;
 }

@@ -17,13 +17,15 @@
 namespace cpt::results {
 
 /// One group of the file, `/realizations/0001`: these attributes, and the datasets depth_m and NAME_kPa of
-/// each channel that was recorded.
+/// each channel that was recorded. Of an external program the datasets NAME of each output, a scalar's with
+/// one number, and NAME.x of a curve's abscissa.
 struct StoredCurve {
   int realization = 0;
   std::string parameter, side, value_text, unit, status, settings_hash;
   std::optional<double> value;  ///< study unit; none for the baseline
   std::vector<double> depth_m;
   std::map<std::string, std::vector<double>> channels_kPa;  ///< by the name of the channel
+  std::vector<solver::ProgramResult> declared = {};         ///< by name
   bool operator==(const StoredCurve&) const = default;
 };
 

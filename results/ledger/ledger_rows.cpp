@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "parameters/all_realizations.hpp"
 #include "results/ledger/ledger_tables.hpp"
 #include "results/ledger/provenance.hpp"
 #include "results/statistics/repeat_noise.hpp"
@@ -19,9 +20,16 @@ namespace {
 
 constexpr double Pa_per_kPa = 1.0e3;
 
+std::string unit_of(const solver::ExternalProgram* program, const std::string& output) {
+  if (program == nullptr) return "";
+  const auto declared = std::ranges::find(program->outputs, output, &solver::ProgramOutput::name);
+  return declared == program->outputs.end() ? "" : declared->unit;
+}
+
 /// The window's place, or why it has none yet.
 Resolved<Interval> place(const parameters::Window& window, const Database& database) {
-  if (window.kind == parameters::Window::Kind::fixed) return resolve_window(window, {});
+  if (window.kind == parameters::Window::Kind::fixed || window.kind == parameters::Window::Kind::scalar)
+    return resolve_window(window, {});
   Statement baseline = database.prepare("SELECT id, status FROM realization WHERE side = 'baseline'");
   if (!baseline.step()) return {{}, "the study has no baseline run"};
   const std::string status = baseline.text(1);
@@ -52,6 +60,8 @@ std::string_view kind_name(parameters::Window::Kind kind) {
       return "peak";
     case parameters::Window::Kind::trough:
       return "trough";
+    case parameters::Window::Kind::scalar:
+      return "scalar";
     case parameters::Window::Kind::fixed:
       break;
   }
@@ -90,6 +100,11 @@ std::string outcome_checksum(const Database& database, std::int64_t id, const Ru
   // What earlier programs did not record leaves their checksums as they are.
   for (const solver::Channel& channel : solver::channels())
     if (channel.required || !(profile.*channel.values).empty()) append_array(profile.*channel.values);
+  for (const solver::ProgramResult& result : profile.declared) {
+    append(result.name);
+    append_array(result.x);
+    append_array(result.y);
+  }
   return sha256(bytes);
 }
 
@@ -112,8 +127,10 @@ std::optional<bool> matches_checksum(const Database& database, std::int64_t id, 
 RealizationInput describe_input(const parameters::Study& study, const parameters::Realization& realization) {
   return {std::string(parameters::parameter_name(study, realization)),
           std::string(parameters::to_string(realization.side)),
-          parameters::parameter_value(study, realization), parameters::value_text(study, realization),
-          settings_hash(parameters::make_setup(study, realization))};
+          parameters::parameter_value(study, realization),
+          parameters::value_text(study, realization),
+          settings_hash(parameters::make_setup(study, realization)),
+          solver_version(study.baseline)};
 }
 
 void insert_pending(const Database& database, int id, const RealizationInput& input) {
@@ -127,7 +144,7 @@ void insert_pending(const Database& database, int id, const RealizationInput& in
       .bind(input.value)
       .bind(input.value_text)
       .bind(input.settings_hash)
-      .bind(solver::solver_version())
+      .bind(input.solver_version)
       .run();
 }
 
@@ -169,14 +186,15 @@ void require_waiting(const Database& database, int id) {
 }
 
 void write_study(const Database& database, const parameters::Study& study, const std::string& study_text) {
+  const solver::ExternalProgram* external = study.baseline.program.get();
   CampaignRow campaign{study.name,
                        study.title,
-                       std::string(solver::to_string(study.profile)),
-                       std::string(solver::to_string(study.preset)),
+                       std::string(external ? "external" : solver::to_string(study.profile)),
+                       std::string(external ? "" : solver::to_string(study.preset)),
                        study_text,
                        solver::canonical_text(study.baseline),
                        std::string(program_version()),
-                       std::string(solver::solver_version()),
+                       solver_version(study.baseline),
                        utc_now(),
                        study.curves.filename().string()};
   {
@@ -185,12 +203,18 @@ void write_study(const Database& database, const parameters::Study& study, const
   }
   database.execute(
       "DELETE FROM campaign; DELETE FROM layer; DELETE FROM parameter; DELETE FROM window_mean; "
-      "DELETE FROM repeat_noise; DELETE FROM depth_window; DELETE FROM effect; DELETE FROM depth_band");
+      "DELETE FROM repeat_noise; DELETE FROM depth_window; DELETE FROM effect; DELETE FROM depth_band; "
+      "DELETE FROM program_output");
   insert_row(database, campaign_table(), campaign);
   int position = 0;
-  for (const solver::Layer& layer : study.baseline.layers)
-    insert_row(database, layer_table(),
-               {layer.top, layer.bottom, study.baseline.soils[layer.soil].name, ++position});
+  if (external == nullptr)
+    for (const solver::Layer& layer : study.baseline.layers)
+      insert_row(database, layer_table(),
+                 {layer.top, layer.bottom, study.baseline.soils[layer.soil].name, ++position});
+  else
+    for (const solver::ProgramOutput& output : external->outputs)
+      insert_row(database, output_table(),
+                 {output.name, output.unit, output.meaning, output.over, output.over_unit, ++position});
   position = 0;
   for (const parameters::Row& row : study.rows) {
     const solver::Quantity& q = *row.quantity;
@@ -202,20 +226,15 @@ void write_study(const Database& database, const parameters::Study& study, const
   position = 0;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (const parameters::Window& window : study.windows)
-    insert_row(database, window_table(),
-               {window.name, std::string(kind_name(window.kind)), none, none, "", ++position, window.from,
-                window.to, window.kind == parameters::Window::Kind::fixed ? none : window.width});
+    insert_row(
+        database, window_table(),
+        {window.name, std::string(kind_name(window.kind)), none, none, "", ++position, window.from, window.to,
+         window.width > 0.0 ? window.width : none, window.output, unit_of(external, window.output)});
 }
 
 void write_inputs(const Database& database, const parameters::Study& study,
                   std::span<const parameters::Realization> realizations) {
-  std::vector<const solver::Quantity*> varied;
-  const auto add = [&](const solver::Quantity* quantity) {
-    if (std::ranges::find(varied, quantity) == varied.end()) varied.push_back(quantity);
-  };
-  for (const parameters::Row& row : study.rows) add(row.quantity);
-  for (const parameters::DesignPoint& point : study.points)
-    for (const parameters::Change& change : point.changes) add(change.quantity);
+  const std::vector<const solver::Quantity*> varied = parameters::varied_quantities(study);
   database.execute("DELETE FROM realization_input");
   for (const parameters::Realization& realization : realizations) {
     const solver::Setup setup = parameters::make_setup(study, realization);
@@ -247,7 +266,7 @@ void write_outcome(const Database& database, int id, const solver::Outcome& outc
   Statement update = database.prepare(fmt::format("UPDATE realization SET {} WHERE id = ?", changes));
   for (const RowColumn<RealizationRow>* column : changed) column->bind(update, row);
   update.bind(id).run();
-  if (!outcome.profile.depth.empty()) insert_row(database, curve_table(in_use_tables), {id, outcome.profile});
+  if (!outcome.profile.is_empty()) insert_row(database, curve_table(in_use_tables), {id, outcome.profile});
   database.prepare("INSERT INTO checksum VALUES (?, ?)").bind(id).bind(outcome_checksum(database, id)).run();
 }
 
@@ -260,11 +279,42 @@ solver::DepthProfile read_profile(const Database& database, std::int64_t id, con
   return std::move(curve.profile);
 }
 
+namespace {
+
+// nullptr where the program gave no such output.
+const solver::ProgramResult* declared(const solver::DepthProfile& profile, const std::string& output) {
+  const auto found = std::ranges::find(profile.declared, output, &solver::ProgramResult::name);
+  return found == profile.declared.end() ? nullptr : &*found;
+}
+
+void write_output_mean(const Database& database, int id, const std::string& window, const Interval& interval,
+                       const solver::ProgramResult* result) {
+  const Resolved<WindowMean> mean = result ? average(*result, interval) : Resolved<WindowMean>{{}, "none"};
+  if (!mean) return;
+  WindowMeanRow row{id,
+                    window,
+                    interval.from,
+                    interval.to,
+                    mean.value.mean,
+                    mean.value.min,
+                    mean.value.max,
+                    mean.value.bins,
+                    {}};
+  row.other_means_kPa.fill(std::numeric_limits<double>::quiet_NaN());
+  insert_row(database, window_mean_table(), row);
+}
+
+}  // namespace
+
 void write_window_means(const Database& database, int id, const solver::DepthProfile& profile) {
   Statement windows =
-      database.prepare("SELECT name, from_m, to_m FROM depth_window WHERE from_m IS NOT NULL");
+      database.prepare("SELECT name, from_m, to_m, output FROM depth_window WHERE from_m IS NOT NULL");
   while (windows.step()) {
     const Interval interval{windows.number(1), windows.number(2)};
+    if (const std::string output = windows.text(3); !output.empty()) {
+      write_output_mean(database, id, windows.text(0), interval, declared(profile, output));
+      continue;
+    }
     const Resolved<WindowMean> mean = average(profile, interval);
     if (!mean) continue;  // the view `sensitivity` then says so
     WindowMeanRow row{id,

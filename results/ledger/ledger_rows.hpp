@@ -16,7 +16,7 @@
 
 namespace cpt::results {
 
-/// "fixed", "peak" or "trough", as stored.
+/// "fixed", "peak", "trough" or "scalar", as stored.
 [[nodiscard]] std::string_view kind_name(parameters::Window::Kind kind);
 
 /// SHA-256 of what a run ended with: settings, status, reason, audit and curve, by their exact bytes.
@@ -33,7 +33,7 @@ struct RealizationInput {
   std::string side;
   double value;  ///< NaN for the baseline
   std::string value_text;
-  std::string settings_hash;
+  std::string settings_hash, solver_version;
 };
 [[nodiscard]] RealizationInput describe_input(const parameters::Study& study,
                                               const parameters::Realization& realization);

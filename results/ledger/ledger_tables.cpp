@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "results/ledger/effect_tables.hpp"
+#include "results/ledger/output_text.hpp"
 #include "solver/channels.hpp"
 
 namespace cpt::results {
@@ -79,6 +80,17 @@ RowTable<CurveRow> make_curve_table(const RunTables& tables) {
   for (const solver::Channel& channel : solver::channels())
     table.columns.push_back(
         column(in_unit(channel, "Pa"), channel.required ? needed : "", &CurveRow::profile, channel.values));
+  RowColumn<CurveRow> outputs;
+  outputs.name = "outputs";
+  outputs.type = "TEXT";
+  outputs.bind = [](Statement& statement, const CurveRow& row) {
+    statement.bind_or_null(output_text(row.profile.declared));
+  };
+  outputs.read = [](const Statement& statement, int place, CurveRow& row) {
+    row.profile.declared = parse_output_text(statement.text(place));
+  };
+  outputs.cell = [](const CurveRow& row) -> Cell { return output_text(row.profile.declared); };
+  table.columns.push_back(std::move(outputs));
   return table;
 }
 
@@ -135,7 +147,8 @@ std::vector<TableDefinition> make_ledger_tables() {
           checksums_of(unused_tables),
           import_table().definition(),
           effect_table().definition(),
-          depth_band_table().definition()};
+          depth_band_table().definition(),
+          output_table().definition()};
 }
 
 }  // namespace
@@ -186,10 +199,11 @@ const RowTable<WindowRow>& window_table() {
   static const RowTable<W> table = {
       "depth_window",
       {column("name", key, &W::name), column("position", place_of_row, &W::position),
-       column("kind", "NOT NULL CHECK (kind IN ('fixed', 'peak', 'trough'))", &W::kind),
+       column("kind", "NOT NULL CHECK (kind IN ('fixed', 'peak', 'trough', 'scalar'))", &W::kind),
        column("search_from_m", needed, &W::search_from_m), column("search_to_m", needed, &W::search_to_m),
        column("width_m", "", &W::width_m), column("from_m", "", &W::from_m), column("to_m", "", &W::to_m),
-       column("problem", needed, &W::problem)},
+       column("problem", needed, &W::problem), column("output", "", &W::output),
+       column("output_unit", "", &W::output_unit)},
       "",
       "position"};
   return table;
@@ -232,6 +246,18 @@ const RowTable<ImportRow>& import_table() {
       {column("position", key, &I::position), column("file", needed, &I::file),
        column("sha256", needed, &I::sha256), column("imported", needed, &I::imported),
        column("program_version", needed, &I::program_version)},
+      "",
+      "position"};
+  return table;
+}
+
+const RowTable<OutputRow>& output_table() {
+  using O = OutputRow;
+  static const RowTable<O> table = {
+      "program_output",
+      {column("name", key, &O::name), column("position", place_of_row, &O::position),
+       column("unit", needed, &O::unit), column("meaning", needed, &O::meaning),
+       column("over_name", "", &O::over), column("over_unit", "", &O::over_unit)},
       "",
       "position"};
   return table;

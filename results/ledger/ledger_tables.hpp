@@ -19,6 +19,7 @@ namespace cpt::results {
 [[nodiscard]] const RowTable<WindowMeanRow>& window_mean_table();
 [[nodiscard]] const RowTable<RepeatNoiseRow>& repeat_noise_table();
 [[nodiscard]] const RowTable<ImportRow>& import_table();
+[[nodiscard]] const RowTable<OutputRow>& output_table();
 /// Of runs in use or of unused ones, which have a column more, their former study.
 [[nodiscard]] const RowTable<RealizationRow>& run_table(const RunTables& tables);
 /// With a column for each channel.

@@ -10,6 +10,7 @@
 #include "results/ledger/interrupted.hpp"
 #include "results/ledger/ledger_rows.hpp"
 #include "results/ledger/matching.hpp"
+#include "results/ledger/provenance.hpp"
 #include "results/ledger/schema.hpp"
 #include "results/ledger/study_changes.hpp"
 #include "results/tables/count_of.hpp"
@@ -19,13 +20,12 @@ namespace cpt::results {
 namespace {
 
 /// Why the stored results cannot be shown as another study; empty where they can.
-std::string obstacle(const Database& database) {
+std::string obstacle(const Database& database, const std::string& present) {
   if (has_table(database, "import") && database.integer("SELECT count(*) FROM import") > 0)
     return "its results are imported";
   Statement campaign = database.prepare("SELECT solver_version FROM campaign");
-  if (!campaign.step() || campaign.text(0) == solver::solver_version()) return "";
-  return fmt::format("its results are of solver version {}, this is {}", campaign.text(0),
-                     solver::solver_version());
+  if (!campaign.step() || campaign.text(0) == present) return "";
+  return fmt::format("its results are of solver version {}, this is {}", campaign.text(0), present);
 }
 
 std::string listed(const std::vector<std::string>& changes) {
@@ -51,7 +51,7 @@ LedgerView view_ledger(const parameters::Study& study, const std::string& study_
     if (!campaign.step() || campaign.text(0) == study_text) return stored;
   }
   const std::string file = study.file.filename().string();
-  if (const std::string why = obstacle(stored.database); !why.empty()) {
+  if (const std::string why = obstacle(stored.database, solver_version(study.baseline)); !why.empty()) {
     stored.notes.push_back(
         fmt::format("{} has been edited since; shown is the study as it is stored, for {}", file, why));
     return stored;

@@ -95,6 +95,9 @@ Opened describe(const Matching& matching, const std::vector<std::string>& change
                 bool retry_failed, bool under_way) {
   Opened opened;
   opened.created = created;
+  const std::string present = matching.realizations.empty()
+                                  ? std::string(solver::solver_version())
+                                  : matching.realizations.front().input.solver_version;
   for (const MatchedRun& realization : matching.realizations) {
     if (!realization.held) {
       ++opened.fresh;
@@ -115,7 +118,7 @@ Opened describe(const Matching& matching, const std::vector<std::string>& change
     if (run.damaged || !run.finished()) continue;
     ++opened.unused;
     opened.set_aside += !run.unused;
-    if (run.solver_version == solver::solver_version()) continue;
+    if (run.solver_version == present) continue;
     ++opened.of_other_solvers;
     std::vector<std::string>& versions = opened.other_solvers;
     if (std::find(versions.begin(), versions.end(), run.solver_version) == versions.end())
@@ -139,7 +142,7 @@ Opened describe(const Matching& matching, const std::vector<std::string>& change
       "campaign prune removes them");
   say(opened.of_other_solvers,
       fmt::format("made by solver version {}, this is {}: kept but unused; only campaign prune removes them",
-                  fmt::join(opened.other_solvers, ", "), solver::solver_version()));
+                  fmt::join(opened.other_solvers, ", "), present));
   constexpr std::size_t most = 12;
   for (std::size_t k = 0; k < std::min(most, changes.size()); ++k)
     opened.messages.push_back("the study has changed: " + changes[k]);

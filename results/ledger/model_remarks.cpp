@@ -8,7 +8,7 @@
 namespace cpt::results {
 
 std::vector<std::string> model_remarks(const Snapshot& campaign) {
-  const auto parsed = parameters::parse_study(campaign.campaign.study_text, campaign.campaign.name + ".toml");
+  const auto parsed = parameters::parse_stored_study(campaign.campaign.study_text, campaign.campaign.name);
   if (const auto* study = std::get_if<parameters::Study>(&parsed))
     return solver::layer_remarks(study->baseline);
   std::vector<std::string> remarks;

@@ -38,7 +38,12 @@ std::string sha256(std::string_view bytes) {
   return text;
 }
 
+std::string solver_version(const solver::Setup& setup) {
+  return setup.program ? setup.program->version : std::string(solver::solver_version());
+}
+
 std::string settings_hash(const solver::Setup& setup) {
+  if (setup.program) return sha256(solver::canonical_text(setup));  // with its version
   return sha256(
       fmt::format("solver_version = {}\n{}", solver::solver_version(), solver::canonical_text(setup)));
 }
@@ -64,6 +69,10 @@ std::optional<std::size_t> first_difference(const solver::DepthProfile& a, const
     all = all && prefix == of_a.size() && prefix == of_b.size();
     same = std::min(same, prefix);
   }
+  all = all && std::ranges::equal(a.declared, b.declared, [](const auto& x, const auto& y) {
+          return x.name == y.name && common_prefix(x.x, y.x) == std::max(x.x.size(), y.x.size()) &&
+                 common_prefix(x.y, y.y) == std::max(x.y.size(), y.y.size());
+        });
   return all ? std::nullopt : std::optional(same);
 }
 

@@ -106,6 +106,7 @@ Snapshot read_snapshot(const Database& database) {
   snapshot.sensitivity = read_sensitivity(database);
   snapshot.curves = read_rows(database, curve_table(in_use_tables));
   for (const CurveRow& curve : snapshot.curves) check_curve(database, curve);
+  snapshot.outputs = read_rows(database, output_table());
   snapshot.imports = read_rows(database, import_table());
   snapshot.inputs = read_rows(database, input_table());
   if (snapshot.inputs.empty()) snapshot.inputs = inputs_of_texts(snapshot);
@@ -130,7 +131,7 @@ std::optional<StoredRun> read_run(const Database& database, int id, const RunTab
   StoredRun run{row_of(run_table(tables), row), std::nullopt};
   check_number(database, run.row);
   solver::DepthProfile profile = read_profile(database, id, tables);
-  if (!profile.depth.empty()) run.profile = std::move(profile);
+  if (!profile.is_empty()) run.profile = std::move(profile);
   return run;
 }
 

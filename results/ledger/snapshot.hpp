@@ -72,7 +72,20 @@ struct WindowRow {
   std::string problem;  ///< why the window is not resolved; empty if it is
   int position = 0;     ///< in the study, 1 first
   double search_from_m, search_to_m;
-  double width_m;  ///< NaN of a fixed window
+  double width_m;           ///< NaN of a fixed window
+  std::string output = {};  ///< of an external program: which of its outputs; else empty
+  std::string output_unit = {};
+  /// What its numbers are, wherever a name or a unit says kPa or q_c: all that shows them asks here.
+  [[nodiscard]] std::string quantity() const { return output.empty() ? "q_c" : output; }
+  [[nodiscard]] std::string unit() const { return output.empty() ? "kPa" : output_unit; }
+  [[nodiscard]] bool is_scalar() const { return kind == "scalar"; }
+};
+
+/// Row of `program_output`: what an external program gives.
+struct OutputRow {
+  std::string name, unit, meaning;
+  std::string over, over_unit;  ///< abscissa of a curve; empty of a scalar
+  int position = 0;             ///< in the study, 1 first
 };
 
 /// Row of `realization_input`: what a quantity that the study varies is in a realization.
@@ -83,7 +96,8 @@ struct InputRow {
   std::string value_text;  ///< of a choice its name
 };
 
-/// Row of `window_mean`. Of an imported average the least and the largest q_c may be NaN.
+/// Row of `window_mean`. Of an imported average the least and the largest q_c may be NaN, and of a scalar
+/// they are. Of an external program's output all three are in its unit.
 struct WindowMeanRow {
   int realization = 0;
   std::string window;
@@ -140,7 +154,10 @@ struct Snapshot {
   std::vector<RepeatNoiseRow> repeat_noise;
   std::vector<SensitivityRow> sensitivity;  ///< by window, then parameter, in the study's order
   std::vector<CurveRow> curves;             ///< by realization
+  std::vector<OutputRow> outputs;           ///< empty where the embedded solver runs
   std::vector<ImportRow> imports;           ///< empty where the results are this program's own runs
+  /// Whether an external program made the results: there is no push, no soil and no profile over depth.
+  [[nodiscard]] bool is_external() const { return !outputs.empty(); }
 };
 
 /// Reads everything; throws Error if the file is missing or not a ledger of this schema.

@@ -65,14 +65,15 @@ baseline AS (
 ),
 bound AS (
   SELECT w.name AS window, w.position AS window_position, w.problem AS window_problem,
-         p.name AS parameter, p.position AS parameter_position, baseline.id AS baseline_id,
+         w.output AS output, coalesce(w.output, 'q_c') AS quantity, p.name AS parameter, p.position AS parameter_position, baseline.id AS baseline_id,
          coalesce((SELECT id FROM realization WHERE parameter = p.name AND side = 'lower'), baseline.id) AS lower_id,
          coalesce((SELECT id FROM realization WHERE parameter = p.name AND side = 'upper'), baseline.id) AS upper_id
   FROM depth_window AS w CROSS JOIN parameter AS p CROSS JOIN baseline
 ),
 state AS (
   SELECT id, CASE WHEN status IN ('pending', 'running', 'not_needed') THEN status
-                  WHEN status = 'completed' THEN 'has no q_c in the window'
+                  WHEN status = 'completed' THEN CASE WHEN EXISTS (SELECT 1 FROM program_output) THEN 'has no value in the window'
+                                                   ELSE 'has no q_c in the window' END
                   ELSE 'failed (' || status || ')' END AS words
   FROM realization
 ),
@@ -119,7 +120,7 @@ value AS (
               THEN CASE WHEN abs(u.q_c_mean_kPa - l.q_c_mean_kPa)
                              <= ROUNDING * max(abs(u.q_c_mean_kPa), abs(l.q_c_mean_kPa)) THEN 0.0
                         ELSE (u.q_c_mean_kPa - l.q_c_mean_kPa) / u.q_c_mean_kPa END END AS si,
-         CASE WHEN b.q_c_max_kPa > 0 THEN (b.q_c_max_kPa - b.q_c_min_kPa) / b.q_c_max_kPa END AS si_noise,
+         CASE WHEN bound.output IS NULL AND b.q_c_max_kPa > 0 THEN (b.q_c_max_kPa - b.q_c_min_kPa) / b.q_c_max_kPa END AS si_noise,
          n.si_half_width AS half_width_of_equals,
          coalesce(paired.half_width, n.si_half_width * abs(l.q_c_mean_kPa / u.q_c_mean_kPa)) AS si_half_width,
          pairs,
@@ -146,16 +147,16 @@ SELECT window, parameter, q_lower AS q_lower_kPa, q_upper AS q_upper_kPa, q_base
          WHEN window_problem <> '' THEN 'undefined: ' || window_problem
          WHEN NOT varies AND q_lower IS NOT NULL AND q_upper IS NOT NULL THEN DOES_NOT_VARY
          WHEN si IS NULL AND q_lower IS NOT NULL AND q_upper IS NOT NULL
-           THEN 'undefined: q_c at the upper bound is not positive'
+           THEN 'undefined: ' || quantity || ' at the upper bound is not positive'
          WHEN si IS NULL THEN 'undefined: ' || rtrim(no_lower || no_upper || no_baseline, ', ')
          ELSE rtrim(
-           CASE WHEN si < 0 THEN 'negative: q_c is larger at the lower bound; ' ELSE '' END ||
+           CASE WHEN si < 0 THEN 'negative: ' || quantity || ' is larger at the lower bound; ' ELSE '' END ||
            CASE WHEN (q_lower - q_baseline) * (q_upper - q_baseline) > 0
                      AND min(abs(q_lower - q_baseline), abs(q_upper - q_baseline))
-                         > coalesce(half_width_of_equals, si_noise) * q_baseline
-                THEN CASE WHEN q_lower > q_baseline THEN 'one-sided: both bounds raise q_c; '
-                          ELSE 'one-sided: both bounds lower q_c; ' END ELSE '' END ||
-           CASE WHEN si_noise IS NULL AND half_width_of_equals IS NULL THEN 'noise undefined: ' ||
+                         > coalesce(half_width_of_equals, si_noise, CASE WHEN output IS NOT NULL THEN ROUNDING END) * abs(q_baseline)
+                THEN CASE WHEN q_lower > q_baseline THEN 'one-sided: both bounds raise ' || quantity || '; '
+                          ELSE 'one-sided: both bounds lower ' || quantity || '; ' END ELSE '' END ||
+           CASE WHEN output IS NULL AND si_noise IS NULL AND half_width_of_equals IS NULL THEN 'noise undefined: ' ||
                 CASE WHEN no_baseline <> '' THEN no_baseline
                      WHEN q_baseline_max IS NULL THEN 'only the average of the baseline was imported'
                      ELSE 'q_c of the baseline is not positive' END || '; '

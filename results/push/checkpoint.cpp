@@ -74,10 +74,10 @@ CheckpointFolder::CheckpointFolder(const std::filesystem::path& database,
     const std::string name = entry.path().filename().string();
     const std::string hash = name.substr(0, hash_length), rest = name.substr(hash.size());
     const bool ours = hash.find_first_not_of("0123456789abcdef") == std::string::npos &&
-                      (rest == ".h5" || rest == ".h5.tmp");
+                      (rest == ".h5" || rest == ".h5.tmp" || (rest.empty() && hash.size() == hash_length));
     if (ours && (rest == ".h5.tmp" || !unfinished.contains(hash))) stale.push_back(entry.path());
   }
-  for (const auto& file : stale) std::filesystem::remove(file, problem);
+  for (const auto& file : stale) std::filesystem::remove_all(file, problem);
 }
 
 CheckpointFolder::~CheckpointFolder() {
@@ -92,6 +92,7 @@ std::filesystem::path CheckpointFolder::file(const std::string& settings_hash) c
 void CheckpointFolder::remove(const std::string& settings_hash) const {
   std::error_code ignored;
   std::filesystem::remove(file(settings_hash), ignored);
+  std::filesystem::remove_all(file(settings_hash).replace_extension(), ignored);
 }
 
 }  // namespace cpt::results

@@ -2,7 +2,8 @@
 //
 // Beside NAME.sqlite lies NAME.checkpoints/ with one HDF5 file a running realization, named after the hash of
 // its settings. A file is written whole and sealed (hdf5_file.hpp), and taken for exactly the settings, the
-// solver version and the instruction set it was made with; anything else would not end with the same bits.
+// solver version and the instruction set it was made with; anything else would not end with the same bits. An
+// external program has a folder of that name without ".h5" in place of the file, to keep there what it wants.
 #pragma once
 
 #include <filesystem>

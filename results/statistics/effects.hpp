@@ -18,7 +18,7 @@ struct EffectRow {
   /// interaction; mu_star, mu, sigma; first_order, total_order, Q2; mean, standard_deviation, quantile_05
   /// ..., exceedance
   std::string quantity;
-  std::string unit;  ///< "kPa", or "-" for a share of the variance and a probability
+  std::string unit;  ///< the window's, as "kPa", or "-" for a share of the variance and a probability
   double value, lower, upper;
   int used = 0;     ///< elementary effects (morris), rows (sobol), else runs
   int dropped = 0;  ///< of the same, because a run has no result

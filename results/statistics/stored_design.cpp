@@ -36,7 +36,7 @@ std::vector<const RealizationRow*> stored_runs(const parameters::Study& study, c
 
 StoredDesign stored_design(const Snapshot& s) {
   StoredDesign stored;
-  auto parsed = parameters::parse_study(s.campaign.study_text, s.campaign.name + ".toml");
+  auto parsed = parameters::parse_stored_study(s.campaign.study_text, s.campaign.name);
   if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed)) {
     stored.problem =
         fmt::format("the study in the ledger cannot be read by this program: {}", errors->front().message);

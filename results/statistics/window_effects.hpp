@@ -32,7 +32,7 @@ struct WindowEffects {
   const WindowRow& window;
   Runs runs;
   std::vector<EffectRow>& rows;
-  Eigen::VectorXd y;      // [kPa] average q_c of each run; NaN where there is none
+  Eigen::VectorXd y;      // [the window's unit, kPa of q_c] average of each run; NaN where there is none
   bool constant = false;  ///< the result does not vary
   std::string remarks;    ///< runs that are missing or out of line
   std::string note;       ///< of every row: these, and that an index of a constant result is undefined

@@ -19,7 +19,7 @@ bool inside(double depth, double from, double to) { return depth >= from - on_ed
 
 Resolved<Interval> resolve_window(const parameters::Window& window, const solver::DepthProfile& baseline) {
   using Kind = parameters::Window::Kind;
-  if (window.kind == Kind::fixed) return {{window.from, window.to}, ""};
+  if (window.kind == Kind::fixed || window.kind == Kind::scalar) return {{window.from, window.to}, ""};
   const double sign = window.kind == Kind::peak ? 1.0 : -1.0;
   const std::string_view extreme = window.kind == Kind::peak ? "peak" : "trough";
   double best = -std::numeric_limits<double>::infinity();
@@ -63,6 +63,24 @@ Resolved<WindowMean> average(const solver::DepthProfile& profile, const Interval
   if (mean.bins == 0)
     return {{},
             fmt::format("no depth bin of q_c lies between {:.6g} and {:.6g} m", interval.from, interval.to)};
+  mean.mean = sum / mean.bins;
+  return {mean, ""};
+}
+
+Resolved<WindowMean> average(const solver::ProgramResult& result, const Interval& interval) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (result.x.empty()) return {{result.y.front(), none, none, 1}, ""};
+  double sum = 0.0;
+  WindowMean mean{0.0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t i = 0; i < result.x.size(); ++i) {
+    if (result.x[i] < interval.from || result.x[i] > interval.to) continue;
+    sum += result.y[i];
+    mean.min = std::min(mean.min, result.y[i]);
+    mean.max = std::max(mean.max, result.y[i]);
+    ++mean.bins;
+  }
+  if (mean.bins == 0)
+    return {{}, fmt::format("{} has no value between {} and {}", result.name, interval.from, interval.to)};
   mean.mean = sum / mean.bins;
   return {mean, ""};
 }

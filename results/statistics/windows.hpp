@@ -37,6 +37,10 @@ struct Resolved {
 /// Averages the bins with centres in [from, to], in order of depth.
 [[nodiscard]] Resolved<WindowMean> average(const solver::DepthProfile& profile, const Interval& interval);
 
+/// The same of what an external program gave, in its unit: the ordinates whose abscissas lie in the interval.
+/// A scalar is its own mean, without a least and a largest value (NaN).
+[[nodiscard]] Resolved<WindowMean> average(const solver::ProgramResult& result, const Interval& interval);
+
 /// Mean [Pa] of a channel over the same bins; NaN where it was not recorded there.
 [[nodiscard]] double channel_average(const solver::DepthProfile& profile, const solver::Channel& channel,
                                      const Interval& interval);

@@ -12,6 +12,7 @@
 #include "results/ledger/schema.hpp"
 #include "results/ledger/snapshot.hpp"
 #include "results/statistics/effects.hpp"
+#include "results/tables/output_names.hpp"
 #include "results/tables/samples.hpp"
 #include "results/tables/statement_rows.hpp"
 
@@ -31,6 +32,7 @@ Table stored_rows(const Database& database, const TableDefinition& table) {
 
 /// Not as they are stored: a row a depth bin.
 Table curve_rows(const Snapshot& s) {
+  if (s.is_external()) return output_rows(s);
   Table table{{"realization", "depth_m"}, {}};
   for (const solver::Channel& channel : solver::channels()) table.columns.push_back(in_unit(channel, "Pa"));
   for (const CurveRow& curve : s.curves)
@@ -49,6 +51,17 @@ Table curve_rows(const Snapshot& s) {
 
 }  // namespace
 
+Table output_rows(const Snapshot& s) {
+  Table table{{"realization", "output", "x", "y"}, {}};
+  for (const CurveRow& curve : s.curves)
+    for (const solver::ProgramResult& result : curve.profile.declared)
+      for (std::size_t i = 0; i < result.y.size(); ++i)
+        table.rows.push_back({std::int64_t{curve.realization}, result.name,
+                              result.x.empty() ? Cell() : number_cell(result.x[i]),
+                              number_cell(result.y[i])});
+  return table;
+}
+
 std::vector<NamedTable> campaign_tables(const std::filesystem::path& file) {
   return campaign_tables(open_ledger(file));
 }
@@ -59,11 +72,13 @@ std::vector<NamedTable> campaign_tables(const Database& database) {
   std::vector<NamedTable> tables;
   for (const TableDefinition& table : ledger_tables())
     if (std::ranges::find(left_out, table.name) == std::end(left_out))
-      tables.push_back({table.name, table.name == in_use_tables.curve ? curve_rows(snapshot)
-                                                                      : stored_rows(database, table)});
+      tables.push_back({table.name, table.name == in_use_tables.curve
+                                        ? curve_rows(snapshot)
+                                        : named_for_outputs(stored_rows(database, table), database)});
   tables.push_back({"samples", samples_table(snapshot)});
   for (const char* view : {"audit", "sensitivity", "tornado"})
-    tables.push_back({view, rows_of(database.prepare(fmt::format("SELECT * FROM {}", view)))});
+    tables.push_back({view, named_for_outputs(
+                                rows_of(database.prepare(fmt::format("SELECT * FROM {}", view))), database)});
   const Effects effects = design_effects(snapshot);
   tables.push_back({"effects", effects_table(effects)});
   tables.push_back({"bands", bands_table(effects)});

@@ -105,7 +105,10 @@ Table compare_settings(const Snapshot& a, const Snapshot& b) {
 
 Table compare_means(const Snapshot& a, const Snapshot& b) {
   const auto of_a = means_of(a), of_b = means_of(b);
-  Table table{{"window", "parameter", "side", "value", "a_kPa", "b_kPa", "change", "note"}, {}};
+  const bool external = a.is_external() || b.is_external();
+  Table table{{"window", "parameter", "side", "value", external ? "a" : "a_kPa", external ? "b" : "b_kPa",
+               "change", "note"},
+              {}};
   for (const Key& key : keys_of(a, b)) {
     const auto in_a = of_a.find(key), in_b = of_b.find(key);
     std::string note = absence(a, b, key, in_a != of_a.end(), in_b != of_b.end());

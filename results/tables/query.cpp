@@ -11,6 +11,7 @@
 #include "results/files/file_lock.hpp"
 #include "results/ledger/schema.hpp"
 #include "results/statistics/effects.hpp"
+#include "results/tables/output_names.hpp"
 #include "results/tables/statement_rows.hpp"
 #include "solver/channels.hpp"
 #include "solver/quantities.hpp"
@@ -129,7 +130,8 @@ Table query(const Database& database, std::string_view name) {
   if (name == "unused" && !has_table(database, "unused")) return {};  // an earlier schema version
   for (std::size_t i = 0; i < question_statements.size(); ++i)
     if (questions[i].name == name)
-      return rows_of(database.prepare(with_channels(said_of_now(question_statements[i], database))));
+      return named_for_outputs(
+          rows_of(database.prepare(with_channels(said_of_now(question_statements[i], database)))), database);
   std::vector<std::string_view> known;
   for (const NamedQuery& question : questions) known.push_back(question.name);
   const std::string_view near = parameters::nearest_name(name, known);

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "parameters/response_names.hpp"
 
 namespace cpt::results {
 namespace {
@@ -34,6 +38,15 @@ Cell cell_of(const std::string& text) {
   return text;
 }
 
+constexpr std::array averages = {&WindowMeanRow::q_c_mean_kPa, &WindowMeanRow::q_c_min_kPa,
+                                 &WindowMeanRow::q_c_max_kPa};
+
+/// Of the first or of all of them.
+std::vector<std::string> columns_of(const WindowRow& window) {
+  const auto names = parameters::response_names(window.name, !window.output.empty());
+  return {names.begin(), window.is_scalar() ? names.begin() + 1 : names.end()};
+}
+
 std::string name_of(const RealizationRow& run) {
   if (run.side == "point" || run.side == "repeat") return run.parameter;
   return run.parameter.empty() ? run.side : run.parameter + " " + run.side;
@@ -54,8 +67,7 @@ Table samples_table(const Snapshot& s) {
   const std::vector<std::string> inputs = varied_of(s);
   table.columns.insert(table.columns.end(), inputs.begin(), inputs.end());
   for (const WindowRow& window : s.windows)
-    for (const char* what : {"mean", "min", "max"})
-      table.columns.push_back(fmt::format("{}.q_c_{}_kPa", window.name, what));
+    for (const std::string& name : columns_of(window)) table.columns.push_back(name);
   std::map<std::pair<int, std::string>, const WindowMeanRow*> means;
   for (const WindowMeanRow& mean : s.window_means) means[{mean.realization, mean.window}] = &mean;
 
@@ -72,9 +84,9 @@ Table samples_table(const Snapshot& s) {
     }
     for (const WindowRow& window : s.windows) {
       const auto found = means.find({run.id, window.name});
-      for (const auto member :
-           {&WindowMeanRow::q_c_mean_kPa, &WindowMeanRow::q_c_min_kPa, &WindowMeanRow::q_c_max_kPa})
-        row.push_back(found == means.end() ? Cell(std::monostate{}) : number_cell(found->second->*member));
+      for (std::size_t k = 0; k < columns_of(window).size(); ++k)
+        row.push_back(found == means.end() ? Cell(std::monostate{})
+                                           : number_cell(found->second->*averages[k]));
     }
   }
   return table;
@@ -83,10 +95,13 @@ Table samples_table(const Snapshot& s) {
 std::string dakota_table(const Snapshot& s) {
   const Table samples = samples_table(s);
   constexpr std::size_t id = 0, first_input = 4;
-  const std::size_t first_response = samples.columns.size() - 3 * s.windows.size();
-  std::vector<std::size_t> taken;  // columns of the samples
-  for (std::size_t i = first_input; i < samples.columns.size(); ++i)
-    if (i < first_response || (i - first_response) % 3 == 0) taken.push_back(i);
+  std::size_t column = first_input + varied_of(s).size();
+  std::vector<std::size_t> taken;  // columns of the samples: the inputs, and of each window the mean
+  for (std::size_t i = first_input; i < column; ++i) taken.push_back(i);
+  for (const WindowRow& window : s.windows) {
+    taken.push_back(column);
+    column += columns_of(window).size();
+  }
 
   std::vector<std::vector<std::string>> lines = {{"%eval_id", "interface"}};
   for (const std::size_t i : taken) lines.front().push_back(samples.columns[i]);

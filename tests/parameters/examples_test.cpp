@@ -82,6 +82,16 @@ TEST(Examples, WithDistributionsAreSound) {
   expect_study("designs/propagation.toml", Profile::homogeneous_sand, Preset::quick, 1 + 4 * 2 + 60);
 }
 
+TEST(Examples, WithAnotherProgramAreSound) {
+  EXPECT_EQ(all_realizations(example("external/ishigami.toml")).size(), 7U + 64U * 5U);
+  const Study consolidation = example("external/consolidation.toml");
+  EXPECT_EQ(all_realizations(consolidation).size(), 7U);
+  EXPECT_EQ(consolidation.windows.size(), 2U);
+  EXPECT_EQ(consolidation.version_command.size(), 3U);
+  if (const std::string why = without_openturns(); !why.empty()) GTEST_SKIP() << why;
+  EXPECT_EQ(all_realizations(example("external/ishigami_propagation.toml")).size(), 7U + 200U);
+}
+
 // Yost et al. (2023), sections 6.2 and 6.3: what the chamber's studies change, and nothing else.
 TEST(Examples, ChamberStudiesDifferFromEachOtherAsThePaperSays) {
   const Study rigid = example("paper/dense_rigid.toml");

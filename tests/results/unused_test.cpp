@@ -281,7 +281,7 @@ std::vector<std::tuple<int, std::string, double, std::string>> inputs_of(const S
 
 // Ledgers of all earlier schema versions; only the last of them had unused runs.
 TEST_F(Unused, OlderLedgersAreUpgradedByTheEdit) {
-  for (const int version : {1, 2, 3, 4, 5, 6, 7}) {
+  for (const int version : {1, 2, 3, 4, 5, 6, 7, 8, 9}) {
     std::filesystem::remove(study.database);
     run_all(study, NAN);  // not recorded then
     const std::string before = everything();
@@ -289,8 +289,14 @@ TEST_F(Unused, OlderLedgersAreUpgradedByTheEdit) {
     std::string older;
     for (const View& view : views()) older += fmt::format("DROP VIEW {};", view.name);
     older +=
-        "ALTER TABLE realization DROP COLUMN safeguarded_share; ALTER TABLE unused DROP COLUMN "
-        "safeguarded_share;";
+        "ALTER TABLE curve DROP COLUMN outputs; ALTER TABLE unused_curve DROP COLUMN outputs;"
+        "ALTER TABLE depth_window DROP COLUMN output; ALTER TABLE depth_window DROP COLUMN output_unit;"
+        "DROP TABLE program_output;";
+    if (version < 9) older += "DROP TABLE effect; DROP TABLE depth_band;";
+    if (version < 8)
+      older +=
+          "ALTER TABLE realization DROP COLUMN safeguarded_share; ALTER TABLE unused DROP COLUMN "
+          "safeguarded_share;";
     if (version < 7)
       older +=
           "ALTER TABLE realization DROP COLUMN limited_share; ALTER TABLE unused DROP COLUMN "

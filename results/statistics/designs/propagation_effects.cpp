@@ -38,8 +38,8 @@ void add_propagation_effects(WindowEffects& w) {
   const auto dropped = static_cast<int>(w.y.size()) - used;
   for (const Number& number : numbers) {
     const auto estimate = parameters::by_sections(w.y, number.least, number.of, w.study.design.latin);
-    w.rows.push_back({w.window.name, "", "", std::string(number.name), "kPa", estimate.value, estimate.lower,
-                      estimate.upper, used, dropped, w.remarks});
+    w.rows.push_back({w.window.name, "", "", std::string(number.name), w.window.unit(), estimate.value,
+                      estimate.lower, estimate.upper, used, dropped, w.remarks});
   }
   for (const parameters::Window& window : w.study.windows)
     if (window.name == w.window.name)
