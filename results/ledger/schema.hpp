@@ -8,7 +8,7 @@
 namespace cpt::results {
 
 /// Raised whenever a table or view changes in a way that a reader would notice.
-inline constexpr int schema_version = 9;
+inline constexpr int schema_version = 10;
 /// The oldest that is still read; a campaign that goes on brings it to the present version.
 inline constexpr int oldest_schema_version = 1;
 
