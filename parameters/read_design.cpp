@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "parameters/designs/design.hpp"
+#include "parameters/designs/sectioning.hpp"
 #include "parameters/nearest_name.hpp"
 #include "parameters/read_quantities.hpp"
 #include "parameters/study_keys.hpp"
@@ -26,7 +27,8 @@ struct Number {
   std::string_view key;
   void (*set)(Design& design, double value);
 };
-const std::array<Number, 5> number_keys = {{{"runs", set<&Design::runs>},
+const std::array<Number, 6> number_keys = {{{"runs", set<&Design::runs>},
+                                            {"sections", set<&Design::sections>},
                                             {"first_runs", set<&Design::first_runs>},
                                             {"trajectories", set<&Design::trajectories>},
                                             {"levels", set<&Design::levels>},
@@ -56,9 +58,10 @@ class DesignReader {
     design_.kind = *kind;
     sound = read_parameters() && sound;
     for (const Number& number : number_keys) sound = read_number(number) && sound;
+    sound = read_estimator() && sound;
     sound = read_sampling() && sound;
     sound = read_until() && sound;
-    sound = sound && growth();
+    sound = sound && growth() && enough_sections();
     return sound && affordable() ? design_ : Design();
   }
 
@@ -213,6 +216,34 @@ class DesignReader {
     constexpr int most_untold = 1000;
     if (table_.find("runs") == nullptr) design_.runs = most_untold;
     return true;
+  }
+
+  bool read_estimator() {
+    const Member* member = table_.find("estimator");
+    if (kind_->estimators.empty()) {
+      if (member != nullptr)
+        refuse(*member, fmt::format("means nothing to {}, which has one estimator", kind_->name));
+      return member == nullptr;
+    }
+    const auto name = name_field(table_, "design", "estimator", false, kind_->estimators, errors_);
+    if (name) design_.estimator = *name;
+    return member == nullptr || name.has_value();
+  }
+
+  // An interval rests on some sections, and each has its own estimate.
+  bool enough_sections() {
+    constexpr int rows_of_one = 4;
+    if (design_.sections == 1) return true;
+    const Member& member = *table_.find("sections");
+    if (design_.sections < least_sections)
+      refuse(member, fmt::format("{} must be 1, or {} and more: the interval comes from them",
+                                 design_.sections, least_sections));
+    else if (design_.runs < rows_of_one * design_.sections)
+      refuse(member, fmt::format("{} sections need runs = {} or more, {} rows each", design_.sections,
+                                 rows_of_one * design_.sections, rows_of_one));
+    else
+      return true;
+    return false;
   }
 
   bool growth() {

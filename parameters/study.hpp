@@ -62,6 +62,8 @@ struct Design {
   std::vector<std::size_t> rows;       ///< that vary together: indices into Study::rows
   int runs = 0;                        ///< latin_hypercube: runs; sobol: rows of the samples A and B
   int first_runs = 0;      ///< latin_hypercube: runs that it had before it grew; 0: it did not grow
+  int sections = 1;        ///< sobol: samples of random shifts of their own that its rows are dealt to
+  std::string estimator;   ///< of the kind's estimators (designs/kind.hpp); empty where it has one alone
   int trajectories = 0;    ///< morris
   int levels = 0;          ///< morris: of its grid, even
   std::uint64_t seed = 1;  ///< of its points and of its bootstrap

@@ -78,11 +78,17 @@ std::vector<NamedFigure> window_figures(const results::Snapshot& campaign, const
        effects.design == "propagation" ? propagation_figure(campaign, effects, window, place)
                                        : effects_figure(campaign, effects, window, place)},
       {"convergence_" + part,
-       fmt::format(
-           "Mean, 5 and 95 % quantile of the average cone resistance in window {} as the first runs alone "
-           "have them, with 95 % intervals.",
-           window.name),
-       propagation_convergence_figure(campaign, effects, window, place)}};
+       effects.design == "propagation"
+           ? fmt::format("Mean, 5 and 95 % quantile of the average cone resistance in window {} as the first "
+                         "runs alone "
+                         "have them, with 95 % intervals.",
+                         window.name)
+           : fmt::format(
+                 "What the first runs of the design {} alone would say of window {}: the numbers of the "
+                 "largest inputs, each with its 95 % interval, over the runs that they come from.",
+                 design, window.name),
+       effects.design == "propagation" ? propagation_convergence_figure(campaign, effects, window, place)
+                                       : index_convergence_figure(campaign, effects, window, place)}};
 }
 
 std::vector<NamedFigure> band_figures(const results::Snapshot& campaign, const results::Effects& effects,

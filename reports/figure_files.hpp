@@ -19,7 +19,8 @@ struct NamedFigure {
   std::optional<std::string> svg;  ///< nothing where the results it needs are not there
 };
 
-/// Tornado, indices and the design's effects (none without a design) of a window; `part` ends their names.
+/// Tornado, indices, the design's effects and their convergence (none without a design) of a window; `part`
+/// ends their names.
 [[nodiscard]] std::vector<NamedFigure> window_figures(const results::Snapshot& campaign,
                                                       const results::Effects& effects,
                                                       const results::WindowRow& window,

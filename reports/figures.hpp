@@ -48,6 +48,13 @@ namespace cpt::reports {
 [[nodiscard]] std::optional<std::string> bands_figure(const results::Snapshot& campaign,
                                                       const results::Effects& effects,
                                                       const solver::Channel& channel, Place place = {});
+/// How the numbers that effects_figure has as bars came about, for the six inputs with the largest: each with
+/// its interval over the runs that it was estimated from (Effects::index_convergence). Nothing where there is
+/// none, or one step alone.
+[[nodiscard]] std::optional<std::string> index_convergence_figure(const results::Snapshot& campaign,
+                                                                  const results::Effects& effects,
+                                                                  const results::WindowRow& window,
+                                                                  Place place = {});
 /// What its bars and circles are, in a sentence.
 [[nodiscard]] std::string effects_legend_words(std::string_view design);
 

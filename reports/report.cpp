@@ -14,6 +14,7 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
   make_directory(directory);
   std::vector<std::filesystem::path> files = {directory / "index.html"};
   context.effects = results::design_effects(campaign);
+  results::add_index_convergence(campaign, context.effects);
   for (const NamedFigure& figure : campaign_figures(campaign, context.effects, column))
     for (const std::filesystem::path& file : write_figure(figure, directory)) files.push_back(file);
 
@@ -28,6 +29,8 @@ std::vector<std::filesystem::path> write_report(const results::Snapshot& campaig
   table("curves.csv", curve_table(campaign));
   if (!context.effects.rows.empty()) table("effects.csv", results::effects_table(context.effects));
   if (!context.effects.bands.empty()) table("bands.csv", results::bands_table(context.effects));
+  if (!context.effects.index_convergence.empty())
+    table("convergence.csv", results::index_convergence_table(context.effects));
   files.push_back(directory / "report.json");
   write_text(files.back(), report_json(campaign, context.effects, Names::shown));
   files.push_back(directory / "report.pdf");
@@ -43,6 +46,7 @@ std::filesystem::path write_page(const results::Snapshot& campaign, const std::f
                                  PageContext context) {
   make_directory(directory);
   context.effects = results::design_effects(campaign);
+  results::add_index_convergence(campaign, context.effects);
   const std::filesystem::path file = directory / "index.html";
   write_text(file, page(campaign, context));
   return file;

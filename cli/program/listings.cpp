@@ -201,7 +201,8 @@ Table commands(bool) {
        {"campaign rerun STUDY ID",
         "runs one realization again and compares its curve bit for bit with the stored one"},
        {"campaign query STUDY sensitivity",
-        "also `effects`, `realizations`, `windows`, `tornado`, `failures`, `sql`; as table, CSV or JSON"},
+        "also `effects`, `convergence`, `realizations`, `windows`, `tornado`, `failures`, `sql`; as table, "
+        "CSV or JSON"},
        {"campaign compare A B",
         "two campaigns side by side: averages, `sensitivity`, or the `settings` that differ"},
        {"campaign combine DEAR CHEAP",

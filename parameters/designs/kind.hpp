@@ -20,9 +20,10 @@ struct DesignKey {
 };
 
 struct DesignKind {
-  std::string_view name;                                             ///< as in a study
-  std::vector<DesignKey> keys = {};                                  ///< that it knows, beside `parameters`
-  std::size_t least_rows = 1;                                        ///< that must vary
+  std::string_view name;                          ///< as in a study
+  std::vector<DesignKey> keys = {};               ///< that it knows, beside `parameters`
+  std::vector<std::string_view> estimators = {};  ///< to choose from, the usual one first; empty: it has one
+  std::size_t least_rows = 1;                     ///< that must vary
   std::size_t usual_rows = std::numeric_limits<std::size_t>::max();  ///< at most, where the study names none
   /// A place is a probability: a row with a distribution takes its quantile there. Else places lie between
   /// the bounds.

@@ -33,6 +33,11 @@ double interaction(const std::array<double, 4>& y) {
   return std::isnan(interaction) || differ(y[3] + y[0], y[1] + y[2]) ? interaction : 0.0;
 }
 
+Estimate interaction_estimate(const std::array<double, 4>& y, double scatter) {
+  const double value = interaction(y), half = 0.5 * Eigen::Vector4d(y.data()).norm() * scatter;
+  return {value, value - half, value + half};
+}
+
 DesignKind pairs_design() {
   return {.name = "pairs",
           .least_rows = 2,

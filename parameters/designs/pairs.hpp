@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "parameters/designs/bootstrap.hpp"
 #include "parameters/designs/kind.hpp"
 
 namespace cpt::parameters {
@@ -22,6 +23,11 @@ namespace cpt::parameters {
 /// one's effect (Box, Hunter & Hunter 2005, Statistics for Experimenters, chapter 5). `y` holds the four
 /// runs as pairs_places orders them; NaN where one of them is missing, 0 within rounding (variation.hpp).
 [[nodiscard]] double interaction(const std::array<double, 4>& y);
+
+/// The interaction with its interval: each of the four runs scatters independently by the same share of its
+/// size, so that half of their sum scatters by half of their norm times that share. `scatter` is t s / mean
+/// of repeats of one run, t Student's 97.5 % point with their n - 1 degrees of freedom; NaN: no interval.
+[[nodiscard]] Estimate interaction_estimate(const std::array<double, 4>& y, double scatter);
 
 [[nodiscard]] DesignKind pairs_design();
 

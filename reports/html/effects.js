@@ -32,12 +32,12 @@ function effects() {
     put(section, byId(`effects_${k}`), byId(`convergence_${k}`),
       el("details", {}, el("summary", {}, `Numbers of the design in ${window.name}`),
         table([{ name: "input" }, { name: "quantity" }, { name: "value", numeric: true }, { name: "from (95 %)", numeric: true },
-               { name: "to (95 %)", numeric: true }, { name: "unit" }, { name: "used", numeric: true }, { name: "dropped", numeric: true },
-               { name: "note", long: true }],
+               { name: "to (95 %)", numeric: true }, { name: "unit" }, { name: "runs", numeric: true }, { name: "used", numeric: true },
+               { name: "dropped", numeric: true }, { name: "method", long: true }, { name: "note", long: true }],
           rows.map((row) => ({
             class: known(row.value) ? null : "failed",
             cells: [rich(label_of_effect(row)), quantity_words(row), number(row.value), number(row.lower), number(row.upper), row.unit,
-                    String(row.used), String(row.dropped), row.note],
+                    String(row.runs), String(row.used), String(row.dropped), row.method, row.note],
           })), `Numbers of the design in ${window.name}`)));
   }
   for (const channel of data.channels) {

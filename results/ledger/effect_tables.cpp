@@ -53,7 +53,7 @@ const RowTable<EffectRow>& effect_table() {
        column("unit", "NOT NULL", &E::unit), column("threshold_kPa", "", &E::threshold_kPa),
        column("value", "", &E::value), column("lower", "", &E::lower), column("upper", "", &E::upper),
        column("used", "NOT NULL", &E::used), column("dropped", "NOT NULL", &E::dropped),
-       column("note", "NOT NULL", &E::note)},
+       column("note", "NOT NULL", &E::note), column("method", "", &E::method), column("runs", "", &E::runs)},
       "",
       "rowid"};
   return table;

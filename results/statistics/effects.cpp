@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <span>
 #include <string_view>
-#include <variant>
+#include <utility>
 
+#include "parameters/designs/kind.hpp"
+#include "parameters/designs/variation.hpp"
 #include "results/ledger/effect_tables.hpp"
 #include "results/statistics/depth_bands.hpp"
 #include "results/statistics/propagation_convergence.hpp"
@@ -29,14 +31,29 @@ namespace {
 struct Estimator {
   std::string_view design;
   void (*add)(WindowEffects& window);
+  std::string_view converging = "";  ///< the index whose convergence is told; empty: none
+  std::string_view method = "";      ///< of rows that do not say themselves
 };
 constexpr std::array estimators = {
     Estimator{"pairs", add_pairs_effects},
-    Estimator{"morris", add_morris_effects},
-    Estimator{"latin_hypercube", add_latin_hypercube_effects},
-    Estimator{"sobol", add_sobol_effects},
-    Estimator{"propagation", add_propagation_effects},
+    Estimator{"morris", add_morris_effects, "mu_star"},
+    Estimator{"latin_hypercube", add_latin_hypercube_effects, "total_order"},
+    Estimator{"sobol", add_sobol_effects, "total_order"},
+    Estimator{"propagation", add_propagation_effects, "", "ten independent sections"},
 };
+
+const Estimator* estimator_of(std::string_view design) {
+  const auto found = std::ranges::find(estimators, design, &Estimator::design);
+  return found == estimators.end() ? nullptr : &*found;
+}
+
+// Runs that stand and fall together: a trajectory, a row.
+Eigen::Index group_of(const parameters::Design& design) {
+  if (design.kind == "morris") return parameters::width_of(design) + 1;
+  return design.kind == "sobol" ? parameters::width_of(design) + 2 : 1;
+}
+
+constexpr int convergence_steps = 6;
 
 }  // namespace
 
@@ -56,18 +73,52 @@ Effects design_effects(const Snapshot& s) {
   effects.stopped = stored.stopped;
   for (const RealizationRow* run : stored.runs)
     if (run != nullptr) effects.runs.push_back(run->id);
-  const auto estimator = std::ranges::find(estimators, effects.design, &Estimator::design);
-  if (estimator == estimators.end()) return effects;
+  const Estimator* estimator = estimator_of(effects.design);
+  if (estimator == nullptr) return effects;
   for (const WindowRow& row : s.windows) {
     WindowEffects window(*stored.study, s, row, stored.runs, effects.rows);
     estimator->add(window);
     if (effects.design == "propagation") add_convergence(window, effects.convergence);
   }
+  for (EffectRow& row : effects.rows)
+    if (row.method.empty()) {
+      row.method = estimator->method;
+      row.runs = row.used;
+    }
   effects.bands = design_bands(stored, s);
   return effects;
 }
 
+void add_index_convergence(const Snapshot& s, Effects& effects) {
+  const Estimator* estimator = estimator_of(effects.design);
+  if (estimator == nullptr || estimator->converging.empty()) return;
+  const StoredDesign stored = stored_design(s);
+  const auto all = static_cast<Eigen::Index>(stored.runs.size()), group = group_of(stored.study->design);
+  for (const WindowRow& row : s.windows) {
+    std::vector<EffectRow> steps;
+    for (int step = 1; step < convergence_steps; ++step) {
+      WindowEffects window(*stored.study, s, row, stored.runs, steps);
+      const Eigen::Index first = all / group * step / convergence_steps * group;
+      if (first == 0) continue;
+      window.y.tail(all - first).setConstant(parameters::undefined);
+      const std::size_t before = steps.size();
+      estimator->add(window);
+      for (EffectRow& estimate : std::span(steps).subspan(before))  // what is to come has not been dropped
+        estimate.dropped -= static_cast<int>((all - first) / group);
+    }
+    for (const std::vector<EffectRow>* found : {&std::as_const(steps), &std::as_const(effects.rows)})
+      for (const EffectRow& estimate : *found)
+        if (estimate.window == row.name && estimate.quantity == estimator->converging &&
+            std::isfinite(estimate.value))
+          effects.index_convergence.push_back(estimate);
+  }
+}
+
 Table effects_table(const Effects& effects) { return table_of(effect_table(), effects.rows); }
+
+Table index_convergence_table(const Effects& effects) {
+  return table_of(effect_table(), effects.index_convergence);
+}
 
 Table bands_table(const Effects& effects) { return table_of(depth_band_table(), effects.bands); }
 

@@ -24,6 +24,8 @@ struct EffectRow {
   int dropped = 0;  ///< of the same, because a run has no result
   std::string note;
   double threshold_kPa = std::numeric_limits<double>::quiet_NaN();  ///< of an exceedance
+  std::string method;                                               ///< how value and interval were estimated
+  int runs = 0;  ///< with results, that it was estimated from
 };
 
 struct Effects {
@@ -31,9 +33,11 @@ struct Effects {
   std::vector<int> runs;        ///< the design's realizations in its order, as far as the ledger has them
   std::vector<EffectRow> rows;  ///< by window, quantity, then parameter in the design's order
   std::vector<ConvergenceRow> convergence;  ///< of a propagation
-  std::vector<DepthBandRow> bands;          ///< of a propagation
-  std::string stopped;                      ///< of a design with a rule to stop: what it says, in a sentence
-  std::string problem;                      ///< why the stored study cannot be read; empty if it can
+  /// What the first runs of morris, latin_hypercube or sobol alone would say: add_index_convergence.
+  std::vector<EffectRow> index_convergence;
+  std::vector<DepthBandRow> bands;  ///< of a propagation
+  std::string stopped;              ///< of a design with a rule to stop: what it says, in a sentence
+  std::string problem;              ///< why the stored study cannot be read; empty if it can
 };
 
 /// "3 of 4 repeats so far"; empty once none is to come.
@@ -46,5 +50,13 @@ struct Effects {
 
 [[nodiscard]] Table effects_table(const Effects& effects);
 [[nodiscard]] Table bands_table(const Effects& effects);
+
+/// Fills Effects::index_convergence of morris, latin_hypercube and sobol: mu_star or total_order of every
+/// window and parameter from the first sixth of the trajectories, runs or rows, from two sixths and so on.
+/// Steps whose runs tell nothing have no rows.
+void add_index_convergence(const Snapshot& campaign, Effects& effects);
+
+/// The same columns as of effects_table.
+[[nodiscard]] Table index_convergence_table(const Effects& effects);
 
 }  // namespace cpt::results

@@ -61,15 +61,15 @@ std::string WindowEffects::name(std::size_t parameter) const {
 }
 
 void WindowEffects::put(std::size_t parameter, std::string_view quantity, std::string_view unit,
-                        const parameters::Estimate& e, int used, int dropped) {
+                        const parameters::Estimate& e, int used, int dropped, int with_results) {
   rows.push_back({window.name, name(parameter), "", std::string(quantity), std::string(unit), e.value,
-                  e.lower, e.upper, used, dropped, note});
+                  e.lower, e.upper, used, dropped, note, method, with_results});
 }
 
-void WindowEffects::put_shares(const std::vector<parameters::Estimate>& first,
-                               const std::vector<parameters::Estimate>& total, int used, int dropped) {
-  for (std::size_t j = 0; j < total.size(); ++j) put(j, "total_order", "-", total[j], used, dropped);
-  for (std::size_t j = 0; j < first.size(); ++j) put(j, "first_order", "-", first[j], used, dropped);
+void WindowEffects::put_all(std::string_view quantity, const std::vector<parameters::Estimate>& estimates,
+                            int used, int dropped, int with_results) {
+  for (std::size_t j = 0; j < estimates.size(); ++j)
+    put(j, quantity, "-", estimates[j], used, dropped, with_results);
 }
 
 }  // namespace cpt::results

@@ -36,16 +36,17 @@ struct WindowEffects {
   bool constant = false;  ///< the result does not vary
   std::string remarks;    ///< runs that are missing or out of line
   std::string note;       ///< of every row: these, and that an index of a constant result is undefined
+  std::string method;     ///< of the rows that follow
 
   void prepend(std::string_view words);
   void append(std::string_view words);
   /// Name of the parameter of that place in the design.
   [[nodiscard]] std::string name(std::size_t parameter) const;
   void put(std::size_t parameter, std::string_view quantity, std::string_view unit,
-           const parameters::Estimate& estimate, int used, int dropped);
-  /// Shares of the variance: total_order, then first_order.
-  void put_shares(const std::vector<parameters::Estimate>& first,
-                  const std::vector<parameters::Estimate>& total, int used, int dropped);
+           const parameters::Estimate& estimate, int used, int dropped, int with_results);
+  /// One quantity of all parameters.
+  void put_all(std::string_view quantity, const std::vector<parameters::Estimate>& estimates, int used,
+               int dropped, int with_results);
 };
 
 }  // namespace cpt::results

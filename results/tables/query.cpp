@@ -19,7 +19,7 @@
 namespace cpt::results {
 namespace {
 
-constexpr std::array<NamedQuery, 8> questions = {{
+constexpr std::array<NamedQuery, 9> questions = {{
     {"realizations",
      "every realization: its parameter, value, status, cost and audit, and what is out of line"},
     {"windows", "every realization's q_c and other channels in every window, with the window's depths"},
@@ -29,10 +29,12 @@ constexpr std::array<NamedQuery, 8> questions = {{
     {"unused", "finished results that the study no longer asks for; campaign prune removes them"},
     {"effects", "what the study's [design] says of its parameters, with 95 % intervals"},
     {"bands", "of a design propagation: how every channel is distributed at every depth"},
+    {"convergence",
+     "of morris, latin_hypercube and sobol: their main number as the first runs alone would have it"},
 }};
 
-// In the order of the questions; the last two are answered without SQL.
-constexpr std::array<std::string_view, questions.size() - 2> question_statements = {
+// In the order of the questions; the last three are answered without SQL.
+constexpr std::array<std::string_view, questions.size() - 3> question_statements = {
     "SELECT id, r.parameter, r.side, value_text AS value, r.status, wall_s, steps, material_points, "
     "r.mass_error, "
     "r.momentum_error, r.energy_error, r.kinetic_fraction, r.max_empty_cells, r.limited_share, "
@@ -116,12 +118,15 @@ Table query(const std::filesystem::path& file, std::string_view name) {
 }
 
 Table query(const Database& database, std::string_view name) {
-  if (name == "effects") {
+  if (name == "effects" || name == "convergence") {
     const Transaction transaction(database, Transaction::Kind::read);
-    const Effects effects = design_effects(read_snapshot(database));
+    const Snapshot snapshot = read_snapshot(database);
+    Effects effects = design_effects(snapshot);
     if (!effects.problem.empty())
       throw Error(fmt::format("{}: {}", database.file().string(), effects.problem));
-    return effects_table(effects);
+    if (name == "effects") return effects_table(effects);
+    add_index_convergence(snapshot, effects);
+    return index_convergence_table(effects);
   }
   if (name == "bands") {
     const Transaction transaction(database, Transaction::Kind::read);

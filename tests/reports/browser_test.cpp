@@ -30,7 +30,8 @@ TEST_F(Page, ShowsWhatTheDesignSays) {
   for (const char* design :
        {"kind = \"morris\"\ntrajectories = 4", "kind = \"latin_hypercube\"\nruns = 40"}) {
     const auto campaign = run_made_up_design(folder / "study.toml", design);
-    const auto effects = results::design_effects(campaign);
+    auto effects = results::design_effects(campaign);
+    results::add_index_convergence(campaign, effects);
     PageContext context;
     context.effects = effects;
     show(campaign, context);
@@ -38,6 +39,7 @@ TEST_F(Page, ShowsWhatTheDesignSays) {
     EXPECT_EQ(count("#effects table tbody tr"), static_cast<int>(effects.rows.size()));
     EXPECT_EQ(count("#effects figure svg g > title"), 4) << design;
     EXPECT_NE(text("#effects figure svg g > title").find("95 %: "), std::string::npos) << design;
+    EXPECT_EQ(count("#effects figure svg"), 2) << design;  // effects and their convergence
     if (const char* keep = std::getenv("CPT_SCREENSHOTS"))
       browser->screenshot(fs::path(keep) / (effects.design + ".png"));
     fs::remove(folder / "study.sqlite");

@@ -193,9 +193,20 @@ TEST_F(Report, ShowsWhatTheDesignSays) {
     EXPECT_TRUE(has(svg, ">H<") && has(svg, ">wall<")) << design;
     EXPECT_FALSE(has(svg, "nan")) << design;
     EXPECT_TRUE(fs::exists(folder / "report" / "effects_deep.png"));
-    const auto effects = results::design_effects(campaign);
+    auto effects = results::design_effects(campaign);
     EXPECT_EQ(lines(read(folder / "report" / "effects.csv")), 1u + effects.rows.size()) << design;
+    results::add_index_convergence(campaign, effects);
+    const fs::path steps = folder / "report" / "convergence_deep.svg",
+                   numbers = folder / "report" / "convergence.csv";
+    EXPECT_EQ(fs::exists(steps), effects.design != "pairs");
+    EXPECT_EQ(fs::exists(numbers), effects.design != "pairs");
+    if (effects.design != "pairs") {
+      EXPECT_TRUE(has(read(steps), ">H<") && has(read(steps), "runs with results that were used")) << design;
+      EXPECT_FALSE(has(read(steps), "nan")) << design;
+      EXPECT_EQ(lines(read(numbers)), 1u + effects.index_convergence.size()) << design;
+    }
     EXPECT_TRUE(has(read(folder / "report" / "report.json"), "\"design\": \"" + effects.design + "\""));
+    fs::remove_all(folder / "report");
     fs::remove(folder / "study.sqlite");
   }
 }

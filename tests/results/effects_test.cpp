@@ -340,6 +340,80 @@ TEST_F(EffectsOf, SaysWhichRunsAreOutOfLine) {
       row(design_effects(snapshot), "first_order", "sand.nu").note.ends_with("1 of 20 runs out of line"));
 }
 
+TEST_F(EffectsOf, EveryNumberSaysHowItWasEstimatedAndFromHowManyRuns) {
+  struct Case {
+    const char *design, *quantity, *method;
+    int runs;
+  };
+  for (const Case& of :
+       {Case{"kind = \"pairs\"", "interaction", "second difference, interval from repeats", 4},
+        Case{"kind = \"morris\"\ntrajectories = 8", "mu_star",
+             "elementary effects, bootstrap over trajectories", 16},
+        Case{"kind = \"latin_hypercube\"\nruns = 40", "total_order",
+             "sparse polynomial chaos, jackknife over ten folds", 40},
+        Case{"kind = \"latin_hypercube\"\nruns = 40", "Q2", "ten-fold cross-validation", 40},
+        Case{"kind = \"sobol\"\nruns = 8", "first_order", "Saltelli, bootstrap over rows", 40},
+        Case{"kind = \"sobol\"\nruns = 8", "total_order", "Jansen, bootstrap over rows", 40},
+        Case{"kind = \"sobol\"\nruns = 20\nsections = 5\nestimator = \"martinez\"", "total_order",
+             "Martinez, 5 sections", 100},
+        Case{"kind = \"propagation\"\nruns = 40", "mean", "randomized Sobol' points, ten sections", 40}}) {
+    std::filesystem::remove(folder / "study.sqlite");
+    const Effects effects = design_effects(run(fmt::format("[design]\n{}\n", of.design)));
+    const auto found = std::ranges::find(effects.rows, of.quantity, &EffectRow::quantity);
+    ASSERT_NE(found, effects.rows.end()) << of.design;
+    EXPECT_EQ(found->method, of.method) << of.design;
+    EXPECT_EQ(found->runs, of.runs) << of.design;
+  }
+}
+
+// What the first runs alone would say is what a study of these runs says.
+TEST_F(EffectsOf, ConvergenceIsThatOfTheFirstRuns) {
+  struct Case {
+    const char *whole, *sixth, *quantity;
+  };
+  for (const Case& of :
+       {Case{"kind = \"morris\"\ntrajectories = 18", "kind = \"morris\"\ntrajectories = 3", "mu_star"},
+        Case{"kind = \"sobol\"\nruns = 48", "kind = \"sobol\"\nruns = 8", "total_order"}}) {
+    std::filesystem::remove(folder / "study.sqlite");
+    const Effects small = design_effects(run(fmt::format("[design]\n{}\n", of.sixth)));
+    std::filesystem::remove(folder / "study.sqlite");
+    const Snapshot snapshot = run(fmt::format("[design]\n{}\n", of.whole));
+    Effects effects = design_effects(snapshot);
+    EXPECT_TRUE(effects.index_convergence.empty());
+    add_index_convergence(snapshot, effects);
+    ASSERT_EQ(effects.index_convergence.size(), 18U) << of.whole;  // six steps of three inputs
+    for (std::size_t j = 0; j < 3; ++j) {
+      const EffectRow &first = effects.index_convergence[j], &last = effects.index_convergence[15 + j];
+      const EffectRow& alone = row(small, of.quantity, first.parameter);
+      const EffectRow& all = row(effects, of.quantity, last.parameter);
+      EXPECT_EQ(first.value, alone.value) << of.whole;
+      EXPECT_EQ(first.lower, alone.lower) << of.whole;
+      EXPECT_EQ(first.runs, alone.runs) << of.whole;
+      EXPECT_EQ(first.dropped, 0) << of.whole;
+      EXPECT_EQ(last.value, all.value) << of.whole;
+      EXPECT_EQ(last.upper, all.upper) << of.whole;
+      EXPECT_EQ(last.runs, 6 * first.runs) << of.whole;
+    }
+    EXPECT_EQ(index_convergence_table(effects).rows.size(), 18U);
+  }
+}
+
+TEST_F(EffectsOf, ConvergenceOfALatinHypercubeGoesOverItsRuns) {
+  const Snapshot snapshot = run("[design]\nkind = \"latin_hypercube\"\nruns = 60\n");
+  Effects effects = design_effects(snapshot);
+  add_index_convergence(snapshot, effects);
+  ASSERT_EQ(effects.index_convergence.size(), 18U);
+  for (std::size_t step = 0; step < 6; ++step)
+    EXPECT_EQ(effects.index_convergence[3 * step].used, static_cast<int>(10 * (step + 1)));
+  const Snapshot pairs = [&] {
+    std::filesystem::remove(folder / "study.sqlite");
+    return run("[design]\nkind = \"pairs\"\n");
+  }();
+  Effects of_pairs = design_effects(pairs);
+  add_index_convergence(pairs, of_pairs);
+  EXPECT_TRUE(of_pairs.index_convergence.empty());
+}
+
 TEST_F(EffectsOf, AStudyWithoutDesignHasNone) {
   EXPECT_TRUE(design_effects(run("")).rows.empty());
   EXPECT_TRUE(query(study.database, "effects").rows.empty());
@@ -367,10 +441,10 @@ TEST_F(EffectsOf, QueryPrintsThem) {
   const Table table = query(study.database, "effects");
   EXPECT_EQ(table.rows.size(), 9U);
   EXPECT_EQ(table.columns.front(), "window");
-  EXPECT_TRUE(
-      format(table, Format::csv)
-          .starts_with("window,parameter,other_parameter,quantity,unit,value,lower,upper,used,dropped,note\n"
-                       "deep,sand.nu,,mu_star,kPa,"));
+  EXPECT_TRUE(format(table, Format::csv)
+                  .starts_with("window,parameter,other_parameter,quantity,unit,threshold_kPa,value,lower,upper,used,"
+                               "dropped,note,method,runs\n"
+                               "deep,sand.nu,,mu_star,kPa,"));
 }
 
 }  // namespace

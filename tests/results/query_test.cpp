@@ -16,10 +16,11 @@ class Query : public ScratchFolder {
 };
 
 TEST_F(Query, EveryNamedQueryAnswers) {
-  ASSERT_EQ(named_queries().size(), 7u);
+  ASSERT_EQ(named_queries().size(), 9u);
   for (const NamedQuery& named : named_queries()) {
-    if (named.name == "effects") continue;  // needs a design: effects_test.cpp
-    if (named.name == "unused") continue;   // needs an edit: unused_test.cpp
+    if (named.name == "effects" || named.name == "bands" || named.name == "convergence")
+      continue;                            // need a design: effects_test.cpp
+    if (named.name == "unused") continue;  // needs an edit: unused_test.cpp
     const Table table = query(study.database, named.name);
     EXPECT_FALSE(table.rows.empty()) << named.name;
     for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());

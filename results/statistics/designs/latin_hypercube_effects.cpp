@@ -13,15 +13,16 @@ void add_latin_hypercube_effects(WindowEffects& w) {
   std::vector<int> values;
   for (const std::size_t row : w.study.design.rows)
     values.push_back(parameters::values_of(w.study.rows[row]));
-  const auto fit =
-      parameters::polynomial_chaos(parameters::design_places(w.study), values, w.y, w.study.design.seed);
+  const auto fit = parameters::polynomial_chaos(parameters::design_places(w.study), values, w.y);
   if (w.window.problem.empty() && !fit.problem.empty() && !w.constant) w.prepend(fit.problem);
-  w.put_shares(fit.first, fit.total, fit.used, fit.dropped);
+  w.method = "sparse polynomial chaos, jackknife over ten folds";
+  w.put_all("total_order", fit.total, fit.used, fit.dropped, fit.used);
+  w.put_all("first_order", fit.first, fit.used, fit.dropped, fit.used);
   std::string note = w.note;
   if (fit.terms > 0)
     note += fmt::format("{}degree {}, {} terms", note.empty() ? "" : "; ", fit.degree, fit.terms);
   w.rows.push_back({w.window.name, "", "", "Q2", "-", fit.q2, parameters::undefined, parameters::undefined,
-                    fit.used, fit.dropped, std::move(note)});
+                    fit.used, fit.dropped, std::move(note), "ten-fold cross-validation", fit.used});
 }
 
 }  // namespace cpt::results

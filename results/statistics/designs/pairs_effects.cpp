@@ -28,8 +28,6 @@ std::string some_repeats(const Snapshot& s) {
 
 }  // namespace
 
-// Without runs beside each other the interval is that of the repeats, each result scattering by the same
-// share of its size: an interaction is half of four results added up.
 void add_pairs_effects(WindowEffects& w) {
   const auto noise = std::ranges::find_if(w.snapshot.repeat_noise,
                                           [&](const auto& row) { return row.window == w.window.name; });
@@ -39,9 +37,9 @@ void add_pairs_effects(WindowEffects& w) {
   const auto pairs = parameters::pairs_of(parameters::width_of(w.study.design));
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto y = w.y.segment<4>(4 * static_cast<Eigen::Index>(k));
-    const double value =
-        w.constant ? parameters::undefined : parameters::interaction({y(0), y(1), y(2), y(3)});
-    const double half = 0.5 * y.norm() * scatter;
+    const parameters::Estimate both =
+        w.constant ? parameters::Estimate()
+                   : parameters::interaction_estimate({y(0), y(1), y(2), y(3)}, scatter);
     const int used = static_cast<int>(y.array().isFinite().count());
     const Runs runs = w.runs.subspan(4 * k, 4);
     const std::string gap = w.window.problem.empty() ? missing_runs(runs) : w.window.problem;
@@ -51,8 +49,9 @@ void add_pairs_effects(WindowEffects& w) {
     if (const std::string lies = runs_out_of_line(runs); !lies.empty())
       note += (note.empty() ? "" : "; ") + lies;
     w.rows.push_back({w.window.name, w.name(static_cast<std::size_t>(pairs[k].first)),
-                      w.name(static_cast<std::size_t>(pairs[k].second)), "interaction", w.window.unit(),
-                      value, value - half, value + half, used, 4 - used, std::move(note)});
+                      w.name(static_cast<std::size_t>(pairs[k].second)), "interaction", w.window.unit(), both.value,
+                      both.lower, both.upper, used, 4 - used, std::move(note),
+                      "second difference, interval from repeats", used});
   }
 }
 

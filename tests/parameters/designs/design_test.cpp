@@ -171,6 +171,11 @@ TEST(Design, ErrorsTellWhatIsWrong) {
              "design.until.quantile", "95 must be above 0 and below 1"},
         Case{"kind = \"propagation\"\nuntil = { half_width = 3 }", "design.until.half_width",
              "did you mean half_width_percent"},
+        Case{"kind = \"sobol\"\nsections = 3", "design.sections", "5 and more"},
+        Case{"kind = \"sobol\"\nruns = 20\nsections = 10", "design.sections", "need runs = 40 or more"},
+        Case{"kind = \"sobol\"\nestimator = \"martines\"", "design.estimator", "did you mean \"martinez\""},
+        Case{"kind = \"morris\"\nestimator = \"martinez\"", "design.estimator", "means nothing to morris"},
+        Case{"kind = \"morris\"\nsections = 5", "design.sections", "belongs to sobol"},
         Case{"kind = \"sobol\"\nruns = 10000", "design", "asks for 50000 runs"},
         Case{"kind = \"pairs\"\nseed = 1", "design.seed", "means nothing to pairs"},
         Case{"kind = \"one_at_a_time\"\nparameters = []", "design.parameters", "every row"},
@@ -272,7 +277,7 @@ TEST_F(WholeNumbers, MorrisTakesTheStepAsItIsRun) {
 TEST_F(WholeNumbers, TheExpansionHasTheExactShares) {
   make("kind = \"latin_hypercube\"\nruns = 50\n");
   EXPECT_EQ(values, (std::vector<int>{0, 4, 2}));
-  const auto fit = polynomial_chaos(places, values, y, 1);
+  const auto fit = polynomial_chaos(places, values, y);
   EXPECT_NEAR(fit.q2, 1.0, 1e-9);
   for (std::size_t j = 0; j < 3; ++j) {
     EXPECT_NEAR(fit.first[j].value, shares()(static_cast<Eigen::Index>(j)), 1e-9) << j;

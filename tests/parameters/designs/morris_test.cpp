@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
 #include "tests/parameters/designs/functions.hpp"
 
 namespace cpt::parameters {
@@ -58,6 +63,88 @@ TEST(Morris, LinearFunctionIsExact) {
     EXPECT_NEAR(effects[j].mu_star.value, std::abs(expected), 1e-12);
     EXPECT_NEAR(effects[j].sigma.value, 0.0, 1e-12);
     EXPECT_EQ(effects[j].used, 8);
+  }
+}
+
+// An implementation of its own, from the paper's matrices and definitions: B* = (1 x* + D/2 ((2 B - 1) D* +
+// 1)) P* (Morris 1991, eq. 3), B strictly lower triangular of ones, D* random signs, P* a random permutation;
+// an elementary effect is (y(x + D e_i) - y(x)) / D at the lower end of a step.
+double bent(const Eigen::VectorXd& u) {
+  return 3.0 * u(0) + u(1) * u(1) - 4.0 * u(0) * u(2) + std::sin(5.0 * u(3));
+}
+TEST(Morris, AgreesWithThePapersMatrices) {
+  constexpr Index k = 4, trajectories = 12;
+  constexpr int levels = 6;
+  const double step = levels / (2.0 * (levels - 1));
+  std::mt19937 random(11);
+  Eigen::MatrixXd places(trajectories * (k + 1), k);
+  std::vector<std::vector<double>> effects(k);
+  for (Index t = 0; t < trajectories; ++t) {
+    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(k + 1, k), d = Eigen::MatrixXd::Zero(k, k), p = d;
+    Eigen::RowVectorXd x(k);
+    std::vector<Index> order(k);
+    std::iota(order.begin(), order.end(), Index{0});
+    std::shuffle(order.begin(), order.end(), random);
+    for (Index j = 0; j < k; ++j) {
+      b.col(j).tail(k - j).setOnes();
+      d(j, j) = random() % 2 == 0 ? 1.0 : -1.0;
+      p(j, order[static_cast<std::size_t>(j)]) = 1.0;
+      x(j) = static_cast<double>(random() % (levels / 2)) / (levels - 1);
+    }
+    const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(k + 1, k);
+    places.middleRows(t * (k + 1), k + 1) =
+        (Eigen::VectorXd::Ones(k + 1) * x + 0.5 * step * ((2.0 * b - ones) * d + ones)) * p;
+    for (Index i = 0; i < k; ++i)
+      for (Index run = t * (k + 1); run < t * (k + 1) + k; ++run)
+        if (places(run, i) != places(run + 1, i)) {
+          Eigen::VectorXd low = places.row(run).transpose();
+          low(i) = std::min(places(run, i), places(run + 1, i));
+          Eigen::VectorXd high = low;
+          high(i) += step;
+          effects[static_cast<std::size_t>(i)].push_back((bent(high) - bent(low)) / step);
+        }
+  }
+  const auto found = elementary_effects(places, results_of(bent, places), 1);
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    ASSERT_EQ(effects[i].size(), static_cast<std::size_t>(trajectories));
+    double mean = 0.0, size = 0.0, squares = 0.0;
+    for (const double effect : effects[i])
+      mean += effect / trajectories, size += std::abs(effect) / trajectories;
+    for (const double effect : effects[i]) squares += (effect - mean) * (effect - mean);
+    EXPECT_NEAR(found[i].mu.value, mean, 1e-12);
+    EXPECT_NEAR(found[i].mu_star.value, size, 1e-12);
+    EXPECT_NEAR(found[i].sigma.value, std::sqrt(squares / (trajectories - 1.0)), 1e-12);
+  }
+}
+
+// All elementary effects that the grid has, one by one: many trajectories of the project's own meet their
+// mean, mean size and deviation.
+TEST(Morris, TrajectoriesMeetTheMomentsOfTheWholeGrid) {
+  constexpr int levels = 4, half = levels / 2, trajectories = 4000;
+  const double step = levels / (2.0 * (levels - 1));
+  const Eigen::MatrixXd places = morris_places(4, trajectories, levels, 5);
+  const Eigen::VectorXd y = results_of(bent, places);
+  const auto found = elementary_effects(places, y, 1);
+  for (Index i = 0; i < 4; ++i) {
+    std::vector<double> effects;
+    for (int point = 0; point < levels * levels * levels * levels; ++point) {
+      Eigen::VectorXd low(4);
+      for (Index j = 0, left = point; j < 4; ++j, left /= levels)
+        low(j) = static_cast<double>(left % levels) / (levels - 1);
+      if (low(i) * (levels - 1) > half - 0.5) continue;
+      Eigen::VectorXd high = low;
+      high(i) += step;
+      effects.push_back((bent(high) - bent(low)) / step);
+    }
+    const auto count = static_cast<double>(effects.size());
+    double mean = 0.0, size = 0.0, squares = 0.0;
+    for (const double effect : effects) mean += effect / count, size += std::abs(effect) / count;
+    for (const double effect : effects) squares += (effect - mean) * (effect - mean) / count;
+    const double scatter = 5.0 * std::sqrt(squares / trajectories) + 1e-12;  // five deviations of a mean
+    const ElementaryEffects& of = found[static_cast<std::size_t>(i)];
+    EXPECT_NEAR(of.mu.value, mean, scatter) << i;
+    EXPECT_NEAR(of.mu_star.value, size, scatter) << i;
+    EXPECT_NEAR(of.sigma.value, std::sqrt(squares), 2.0 * scatter) << i;
   }
 }
 

@@ -1,0 +1,27 @@
+#include "parameters/designs/sectioning.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+namespace cpt::parameters {
+
+Estimate sectioned(double value, std::span<const double> own) {
+  Estimate estimate;
+  estimate.value = value;
+  double squares = 0.0;
+  int sections = 0;
+  for (const double number : own) {
+    if (!std::isfinite(number)) continue;
+    squares += std::pow(number - value, 2);
+    ++sections;
+  }
+  if (sections < least_sections || !std::isfinite(value)) return estimate;
+  const boost::math::students_t_distribution<double> student(sections - 1);
+  const double half =
+      boost::math::quantile(student, 0.975) * std::sqrt(squares / (sections * (sections - 1.0)));
+  estimate.lower = value - half;
+  estimate.upper = value + half;
+  return estimate;
+}
+
+}  // namespace cpt::parameters
