@@ -14,6 +14,7 @@
 
 #include "parameters/designs/latin_hypercube.hpp"
 #include "parameters/designs/morris.hpp"
+#include "parameters/designs/multifidelity.hpp"
 #include "parameters/designs/pairs.hpp"
 #include "parameters/designs/polynomial_chaos.hpp"
 #include "parameters/designs/propagation.hpp"
@@ -144,7 +145,7 @@ void add_pairs(std::vector<Case>& cases, int repeats) {
 }
 
 // A sum of four standard normal inputs, and its exponential of a quarter of it, which is lognormal.
-void add_propagation(std::vector<Case>& cases, int runs, bool lognormal) {
+void add_propagation(std::vector<Case>& cases, int runs, bool lognormal, bool latin) {
   const boost::math::normal normal;
   const auto result = [=](double sum) { return lognormal ? std::exp(0.25 * sum) : sum; };
   const double s = 0.5;  // deviation of a quarter of the sum
@@ -154,24 +155,56 @@ void add_propagation(std::vector<Case>& cases, int runs, bool lognormal) {
   for (const int percent : {5, 25, 50, 75, 95})
     numbers.push_back(
         {fmt::format("quantile_{:02}", percent), result(2.0 * quantile(normal, percent / 100.0))});
+  const double threshold = result(2.0);  // one deviation of the sum above its mean
+  numbers.push_back({"exceedance", cdf(complement(normal, 1.0))});
   cases.push_back(
-      {fmt::format("propagation, {} runs", runs),
+      {fmt::format("propagation{}, {} runs", latin ? " of Latin hypercubes" : "", runs),
        lognormal ? "exp(sum / 4) of four normal" : "sum of four normal", numbers, [=](std::uint64_t seed) {
-         const MatrixXd places = parameters::propagation_places(4, runs, seed);
+         const MatrixXd places =
+             (latin ? parameters::latin_places : parameters::propagation_places)(4, runs, seed);
          VectorXd y(runs);
          for (Index i = 0; i < runs; ++i) {
            double sum = 0.0;
            for (Index j = 0; j < 4; ++j) sum += quantile(normal, places(i, j));
            y(i) = result(sum);
          }
-         std::vector<Estimate> all = {
-             parameters::by_sections(y, 1, [](const VectorXd& of) { return of.mean(); }),
-             parameters::by_sections(y, 2, parameters::sample_deviation)};
+         std::vector<Estimate> all = {parameters::by_sections(
+                                          y, 1, [](const VectorXd& of) { return of.mean(); }, latin),
+                                      parameters::by_sections(y, 2, parameters::sample_deviation, latin)};
          for (const int percent : {5, 25, 50, 75, 95})
            all.push_back(parameters::by_sections(
-               y, 2, [=](const VectorXd& of) { return parameters::sample_quantile(of, percent / 100.0); }));
+               y, 2, [=](const VectorXd& of) { return parameters::sample_quantile(of, percent / 100.0); },
+               latin));
+         all.push_back(parameters::exceedance(y, latin, threshold));
          return all;
        }});
+}
+
+// A dear model of three standard normal inputs, 10 + a + 0.6 b + 0.2 c, and a cheap one that knows two of
+// them.
+void add_multifidelity(std::vector<Case>& cases, int dear, int cheap) {
+  const boost::math::normal normal;
+  const double deviation = std::sqrt(1.0 + 0.36 + 0.04);
+  cases.push_back({fmt::format("combine, {} and {} runs", dear, cheap),
+                   "normal sums, correlation 0.986",
+                   {{"mean", 10.0},
+                    {"standard_deviation", deviation},
+                    {"quantile_50", 10.0},
+                    {"quantile_95", 10.0 + quantile(normal, 0.95) * deviation}},
+                   [=](std::uint64_t seed) {
+                     const MatrixXd places = parameters::propagation_places(3, cheap, seed);
+                     VectorXd few(dear), many(cheap);
+                     for (Index i = 0; i < cheap; ++i) {
+                       const auto z = [&](Index j) { return quantile(normal, places(i, j)); };
+                       many(i) = 5.0 + 2.0 * (z(0) + 0.6 * z(1));
+                       if (i < dear) few(i) = 10.0 + z(0) + 0.6 * z(1) + 0.2 * z(2);
+                     }
+                     const parameters::Levels levels = {few, many};
+                     return std::vector{parameters::combined_mean(levels),
+                                        parameters::combined_deviation(levels),
+                                        parameters::combined_quantile(levels, 0.5),
+                                        parameters::combined_quantile(levels, 0.95)};
+                   }});
 }
 
 std::vector<Case> all_cases() {
@@ -185,8 +218,10 @@ std::vector<Case> all_cases() {
   add_chaos(cases, "borehole", parameters::borehole, borehole.first, borehole.total, 60);
   for (const int trajectories : {10, 20, 40}) add_morris(cases, trajectories);
   for (const int repeats : {4, 6}) add_pairs(cases, repeats);
-  for (const bool lognormal : {false, true})
-    for (const int runs : {100, 200}) add_propagation(cases, runs, lognormal);
+  for (const bool latin : {false, true})
+    for (const bool lognormal : {false, true})
+      for (const int runs : {100, 200}) add_propagation(cases, runs, lognormal, latin);
+  for (const int dear : {20, 40, 100}) add_multifidelity(cases, dear, 800);
   return cases;
 }
 

@@ -98,9 +98,8 @@ std::vector<Level> to_one_scale(std::vector<Level> levels) {
 
 // Of values on one scale: the probability of one not above x.
 double share_below(const std::vector<Level>& levels, double x) {
-  return combined(levels, [x](std::size_t, const VectorXd& y) -> VectorXd {
-    return (y.array() <= x).cast<double>();
-  });
+  return combined(
+      levels, [x](std::size_t, const VectorXd& y) -> VectorXd { return (y.array() <= x).cast<double>(); });
 }
 
 // The least value with that share. The share need not rise everywhere; where it falls, few runs are to blame.

@@ -21,10 +21,11 @@ using Levels = std::vector<Eigen::VectorXd>;
 [[nodiscard]] double level_correlation(const Levels& levels, std::size_t cheaper);
 
 /// A number with its 95 % interval by the jackknife over sections: each in turn left out, Student's t with a
-/// degree of freedom less than there are sections (Kott 2001, Journal of Official Statistics 17, 521). NaN with
-/// fewer than ten paired runs, no interval with sections that have none. The interval of a quantile lies between the
-/// values whose shares of the runs are the probability less and plus that of its share (Woodruff 1952, Journal of the
-/// American Statistical Association 47, 635), since the jackknife fails for quantiles themselves.
+/// degree of freedom less than there are sections (Kott 2001, Journal of Official Statistics 17, 521). NaN
+/// with fewer than ten paired runs, no interval with sections that have none. The interval of a quantile lies
+/// between the values whose shares of the runs are the probability less and plus that of its share (Woodruff
+/// 1952, Journal of the American Statistical Association 47, 635), since the jackknife fails for quantiles
+/// themselves.
 ///
 /// mean:       y_0 + sum_l a_l (mean of y_l over all its runs - over those of the model before it),
 ///             a_l = cov(y_0, y_l) / var(y_l), of the paired runs.

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/sobol.hpp>
 #include <cmath>
 #include <vector>
 
 #include "parameters/designs/permutation.hpp"
+#include "parameters/designs/sectioning.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -18,8 +18,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr int fewest_sections = 5;  // that an interval rests on
 
 // Entries that are numbers and belong to a section that `wanted` takes.
 template <class Wanted>
@@ -88,24 +86,12 @@ Estimate by_sections(const VectorXd& y, int least, const std::function<double(co
                      bool latin) {
   const VectorXd all = all_entries(y);
   if (all.size() == 0) return {};
-  Estimate estimate;
-  estimate.value = number(all);
-  double squares = 0.0;
-  int sections = 0;
+  std::vector<double> of_sections;
   for (int section = 0; section < propagation_sections; ++section) {
     const VectorXd own = entries(y, latin, [&](int of) { return of == section; });
-    if (own.size() < least) continue;
-    squares += std::pow(number(own) - estimate.value, 2);
-    ++sections;
+    if (own.size() >= least) of_sections.push_back(number(own));
   }
-  if (sections < fewest_sections) return estimate;
-  const boost::math::students_t_distribution<double> student(sections - 1);
-  const double half =
-      boost::math::quantile(student, 0.975) * std::sqrt(squares / (sections * (sections - 1.0)));
-  if (!std::isfinite(half)) return estimate;
-  estimate.lower = estimate.value - half;
-  estimate.upper = estimate.value + half;
-  return estimate;
+  return sectioned(number(all), of_sections);
 }
 
 Estimate exceedance(const VectorXd& y, bool latin, double threshold) {
@@ -122,7 +108,7 @@ Estimate exceedance(const VectorXd& y, bool latin, double threshold) {
       y, 1, [&](const VectorXd& sample) { return above(sample) / static_cast<double>(sample.size()); },
       latin);
   if (share.lower == share.upper) return clopper_pearson(above(all), runs);  // all sections happen to agree
-  share.lower = std::max(share.lower, 0.0);  // NaN stays NaN
+  share.lower = std::max(share.lower, 0.0);                                  // NaN stays NaN
   share.upper = std::min(share.upper, 1.0);
   return share;
 }

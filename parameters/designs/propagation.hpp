@@ -38,8 +38,8 @@ inline constexpr int latin_runs = 10;  ///< of one Latin hypercube
                                    bool latin = false);
 
 /// The probability that y exceeds a threshold, with its 95 % interval: by sections, cut off at 0 and 1; where
-/// fewer than five runs lie on either side, or all sections have the same share, that of Clopper & Pearson (1934, Biometrika 26, 404) for
-/// independent runs, which is wider.
+/// fewer than five runs lie on either side, or all sections have the same share, that of Clopper & Pearson
+/// (1934, Biometrika 26, 404) for independent runs, which is wider.
 [[nodiscard]] Estimate exceedance(const Eigen::VectorXd& y, bool latin, double threshold);
 
 /// Whether the rule holds for the first `runs` entries of y.

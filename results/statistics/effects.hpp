@@ -23,9 +23,9 @@ struct EffectRow {
   int used = 0;     ///< elementary effects (morris), rows (sobol), else runs
   int dropped = 0;  ///< of the same, because a run has no result
   std::string note;
+  std::string method = {};  ///< how value and interval were estimated
+  int runs = 0;             ///< with results, that it was estimated from
   double threshold_kPa = std::numeric_limits<double>::quiet_NaN();  ///< of an exceedance
-  std::string method;                                               ///< how value and interval were estimated
-  int runs = 0;  ///< with results, that it was estimated from
 };
 
 struct Effects {

@@ -79,7 +79,8 @@ FidelityLevel level_of(const Snapshot& snapshot, const StoredDesign& design) {
   return level;
 }
 
-void add_window(TwoFidelities& both, const std::string& window, const Levels& levels, bool latin) {
+void add_window(TwoFidelities& both, const std::string& window, const std::string& unit, const Levels& levels,
+                bool latin) {
   const double cost_ratio = both.cheap.seconds_a_run / both.dear.seconds_a_run;
   const double rho = parameters::level_correlation(levels, 1);
   both.windows.push_back({window, static_cast<int>(parameters::paired_runs(levels)), rho,
@@ -88,13 +89,13 @@ void add_window(TwoFidelities& both, const std::string& window, const Levels& le
   const auto alone = [&](int least, const std::function<double(const Eigen::VectorXd&)>& number) {
     return parameters::by_sections(levels[0], least, number, latin);
   };
-  both.rows.push_back({window, "mean", alone(1, [](const Eigen::VectorXd& y) { return y.mean(); }),
+  both.rows.push_back({window, unit, "mean", alone(1, [](const Eigen::VectorXd& y) { return y.mean(); }),
                        parameters::combined_mean(levels, latin)});
-  both.rows.push_back({window, "standard_deviation", alone(2, parameters::sample_deviation),
+  both.rows.push_back({window, unit, "standard_deviation", alone(2, parameters::sample_deviation),
                        parameters::combined_deviation(levels, latin)});
   for (const auto& [name, probability] : fidelity_quantiles)
     both.rows.push_back(
-        {window, std::string(name),
+        {window, unit, std::string(name),
          alone(2, [p = probability](const Eigen::VectorXd& y) { return parameters::sample_quantile(y, p); }),
          parameters::combined_quantile(levels, probability, latin)});
 }
@@ -125,7 +126,7 @@ TwoFidelities two_fidelities(const Snapshot& dear, const Snapshot& cheap) {
   for (const WindowRow& window : dear.windows) {
     const auto same = std::ranges::find(cheap.windows, window.name, &WindowRow::name);
     if (same == cheap.windows.end() || !window.problem.empty() || !same->problem.empty()) continue;
-    add_window(both, window.name,
+    add_window(both, window.name, std::string(window.unit()),
                {WindowEffects(*few.study, dear, window, few.runs, unused).y,
                 WindowEffects(*many.study, cheap, *same, many.runs, unused).y},
                few.study->design.latin);
@@ -140,7 +141,7 @@ Table fidelity_table(const TwoFidelities& both) {
                "combined_lower", "combined_upper", "width_ratio"},
               {}};
   for (const FidelityRow& row : both.rows) {
-    std::vector<Cell> cells = {row.window, row.quantity, std::string("kPa")};
+    std::vector<Cell> cells = {row.window, row.quantity, row.unit};
     for (const Estimate* estimate : {&row.alone, &row.combined})
       for (const double value : {estimate->value, estimate->lower, estimate->upper})
         cells.push_back(number_cell(value));

@@ -18,9 +18,9 @@ struct FidelityLevel {
   double seconds_a_run = 0;  ///< wall-clock time, mean of its completed runs
 };
 
-/// A number of a window's average [kPa] from the dear runs alone and from both.
+/// A number of a window's average, in the window's unit, from the dear runs alone and from both.
 struct FidelityRow {
-  std::string window, quantity;  ///< mean, standard_deviation, quantile_05 ...
+  std::string window, unit, quantity;  ///< mean, standard_deviation, quantile_05 ...
   parameters::Estimate alone, combined;
 };
 

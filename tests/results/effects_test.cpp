@@ -441,10 +441,11 @@ TEST_F(EffectsOf, QueryPrintsThem) {
   const Table table = query(study.database, "effects");
   EXPECT_EQ(table.rows.size(), 9U);
   EXPECT_EQ(table.columns.front(), "window");
-  EXPECT_TRUE(format(table, Format::csv)
-                  .starts_with("window,parameter,other_parameter,quantity,unit,threshold_kPa,value,lower,upper,used,"
-                               "dropped,note,method,runs\n"
-                               "deep,sand.nu,,mu_star,kPa,"));
+  EXPECT_TRUE(
+      format(table, Format::csv)
+          .starts_with("window,parameter,other_parameter,quantity,unit,threshold_kPa,value,lower,upper,used,"
+                       "dropped,note,method,runs\n"
+                       "deep,sand.nu,,mu_star,kPa,"));
 }
 
 }  // namespace

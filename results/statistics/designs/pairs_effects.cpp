@@ -49,8 +49,8 @@ void add_pairs_effects(WindowEffects& w) {
     if (const std::string lies = runs_out_of_line(runs); !lies.empty())
       note += (note.empty() ? "" : "; ") + lies;
     w.rows.push_back({w.window.name, w.name(static_cast<std::size_t>(pairs[k].first)),
-                      w.name(static_cast<std::size_t>(pairs[k].second)), "interaction", w.window.unit(), both.value,
-                      both.lower, both.upper, used, 4 - used, std::move(note),
+                      w.name(static_cast<std::size_t>(pairs[k].second)), "interaction", w.window.unit(),
+                      both.value, both.lower, both.upper, used, 4 - used, std::move(note),
                       "second difference, interval from repeats", used});
   }
 }

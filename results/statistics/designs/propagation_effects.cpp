@@ -46,7 +46,7 @@ void add_propagation_effects(WindowEffects& w) {
       for (const double threshold : window.thresholds) {
         const auto share = parameters::exceedance(w.y * kPa, w.study.design.latin, threshold);
         w.rows.push_back({w.window.name, "", "", "exceedance", "-", share.value, share.lower, share.upper,
-                          used, dropped, w.remarks, threshold / kPa});
+                          used, dropped, w.remarks, "", 0, threshold / kPa});
       }
 }
 
