@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "diagnosis/request_keys.hpp"
 #include "parameters/all_realizations.hpp"
@@ -239,8 +240,8 @@ class RequestReader {
   }
 
   static const Study& no_study() {
-    static const Study none{};
-    return none;
+    static const std::unique_ptr<const Study> none = std::make_unique<const Study>();
+    return *none;
   }
 
   const Value& root_;

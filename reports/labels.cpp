@@ -122,7 +122,7 @@ Rich average_of(const results::WindowRow& window) {
 }
 
 std::string unit_behind(const results::WindowRow& window) {
-  return window.unit() == "-" ? "" : " " + window.unit();
+  return window.unit() == "-" ? "" : fmt::format(" {}", window.unit());
 }
 
 Rich axis_of(const results::WindowRow& window) {
