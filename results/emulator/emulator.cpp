@@ -15,12 +15,20 @@ using Eigen::VectorXd;
 // A process among those whose variances are added up, given the candidates taken so far.
 struct Watched {
   const GaussianProcess* process;
-  double weight;              // one over the variance of the output over the runs
-  VectorXd variance;          // at each candidate
-  std::vector<VectorXd> cut;  // of each candidate taken: covariances with it over its deviation
+  double weight;               // one over the variance of the output over the runs
+  MatrixXd covariances;        // of the references with each candidate
+  VectorXd variances;          // at each candidate
+  std::vector<VectorXd> cuts;  // of each candidate taken: covariances of all with it over its deviation
 };
 
+constexpr Index reference_step = 8;  // every eighth candidate
+
+MatrixXd references(const MatrixXd& candidates) {
+  return candidates(Eigen::seq(0, candidates.rows() - 1, reference_step), Eigen::all);
+}
+
 std::vector<Watched> watched(const Emulator& emulator, const MatrixXd& candidates) {
+  const MatrixXd reference = references(candidates);
   std::vector<Watched> all;
   for (const EmulatedOutput& output : emulator.outputs) {
     const std::vector<GaussianProcess>& processes = output.emulator.processes();
@@ -28,19 +36,32 @@ std::vector<Watched> watched(const Emulator& emulator, const MatrixXd& candidate
     for (const GaussianProcess& process : processes)
       power += (process.values().array() - process.values().mean()).square().mean();
     for (const GaussianProcess& process : processes)
-      all.push_back({&process, 1.0 / power, process.mean_variance(candidates), {}});
+      all.push_back({&process,
+                     1.0 / power,
+                     process.mean_covariance(candidates, reference).transpose(),
+                     process.mean_variance(candidates),
+                     {}});
   }
   return all;
 }
 
+// What a run at each candidate would take off the references' variances, added.
+VectorXd gains(const Watched& of) {
+  const double floor = 1e-12 * of.process->variance() + of.process->noise();
+  return of.weight *
+         (of.covariances.colwise().squaredNorm().transpose().array() / (of.variances.array() + floor))
+             .matrix();
+}
+
 void take(Watched& of, const MatrixXd& candidates, Index taken) {
-  VectorXd covariance = of.process->mean_covariance(candidates, candidates.row(taken));
-  for (const VectorXd& cut : of.cut) covariance -= cut * cut(taken);
-  const double own = covariance(taken) + of.process->noise();
+  VectorXd cut = of.process->mean_covariance(candidates, candidates.row(taken));
+  for (const VectorXd& before : of.cuts) cut -= before * before(taken);
+  const double own = cut(taken) + of.process->noise();
   if (!(own > 0.0)) return;
-  covariance /= std::sqrt(own);
-  of.variance = (of.variance - covariance.cwiseAbs2()).cwiseMax(0.0);
-  of.cut.push_back(std::move(covariance));
+  cut /= std::sqrt(own);
+  of.covariances -= cut(Eigen::seq(0, candidates.rows() - 1, reference_step)) * cut.transpose();
+  of.variances = (of.variances - cut.cwiseAbs2()).cwiseMax(0.0);
+  of.cuts.push_back(std::move(cut));
 }
 
 }  // namespace
@@ -95,7 +116,7 @@ std::vector<Index> worst_places(const Emulator& emulator, const MatrixXd& candid
   std::vector<Index> taken;
   while (static_cast<Index>(taken.size()) < std::min(count, candidates.rows())) {
     VectorXd total = VectorXd::Zero(candidates.rows());
-    for (const Watched& of : all) total += of.weight * of.variance;
+    for (const Watched& of : all) total += gains(of);
     for (const Index before : taken) total(before) = -1.0;
     Index worst = 0;
     total.maxCoeff(&worst);

@@ -67,10 +67,11 @@ struct Emulator {
 /// "Q2 = 0.84 on held-out runs, below 0.9"; empty where the output is good enough.
 [[nodiscard]] std::string refusal_of(const EmulatedOutput& output);
 
-/// `count` of the candidates (places, points x inputs) where the emulator knows least, in order: each time
-/// the one with the largest variance of the emulated outputs, each relative to its variance over the runs,
-/// all added, given the runs and the candidates taken before (MacKay 1992, Neural Computation 4, 590-604;
-/// Jin, Chen & Sudjianto 2002, DETC2002/DAC-34092: variances need no values). Fewer if there are fewer.
+/// `count` of the candidates (places, points x inputs) that tell most where the emulator knows least, in
+/// order: each time the one whose run would take most off the variance of the emulated outputs, each relative
+/// to its variance over the runs, over every eighth candidate, given the runs and the candidates taken before
+/// (Cohn 1996, Neural Networks 9, 1071-1083; the largest variance itself lies in corners, which tell little
+/// of the rest). Variances need no values, so that all are there at once. Fewer if there are fewer.
 [[nodiscard]] std::vector<Eigen::Index> worst_places(const Emulator& emulator,
                                                      const Eigen::MatrixXd& candidates, Eigen::Index count);
 

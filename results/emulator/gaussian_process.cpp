@@ -1,6 +1,7 @@
 #include "results/emulator/gaussian_process.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -168,15 +169,20 @@ GaussianProcess GaussianProcess::fit(const MatrixXd& design, const VectorXd& val
     best = density;
     kernel = trial;
   };
-  consider(kernel);
+  constexpr std::array lengths = {0.1, 0.2, 0.35, 0.7, 1.5, 4.0};
+  constexpr std::array nuggets = {1e-8, 1e-6, 1e-4, 1e-2, 1e-1, 1.0};
+  // All lengths alike first, with any noise: short lengths without noise and long ones with it are both a
+  // peak.
+  for (const double length : lengths)
+    for (const double nugget : nuggets) consider({VectorXd::Constant(design.cols(), length), nugget});
   for (int sweep = 0; sweep < search.sweeps; ++sweep) {
     for (Index d = 0; d < design.cols(); ++d)
-      for (const double length : {0.1, 0.2, 0.35, 0.7, 1.5, 4.0}) {
+      for (const double length : lengths) {
         Kernel trial = kernel;
         trial.lengths(d) = length;
         consider(trial);
       }
-    for (const double nugget : {1e-8, 1e-6, 1e-4, 1e-2, 1e-1, 1.0}) consider({kernel.lengths, nugget});
+    for (const double nugget : nuggets) consider({kernel.lengths, nugget});
   }
   double step = 1.4;
   for (int sweep = 0; sweep < search.refinements; ++sweep, step = std::sqrt(step)) {

@@ -53,9 +53,7 @@ std::string emulator() {
   }
   results::Emulator made;
   made.study = "study";
-  made.inputs = {
-      {"sand.H", "-", 25.0, 75.0, 50.0, false, false, {}},
-  };
+  made.inputs = {{"sand.H", "-", 25.0, 75.0, 50.0, false, false, {}}};
   for (int i = 0; i < 7; ++i) made.runs.push_back({i + 1, "0123"});
   made.outputs.push_back({"deep.q_c_mean_kPa", {}, results::OutputEmulator::fit(places, average), {}});
   made.outputs.push_back(

@@ -134,7 +134,14 @@ TEST(Validation, ByFoldsIsNearThatAtFreshRuns) {
   EXPECT_EQ(folds.runs, 80);
   EXPECT_NEAR(folds.q2, fresh.q2, 0.03);
   EXPECT_NEAR(folds.rmse, fresh.rmse, 0.2 * fresh.rmse);
-  EXPECT_NEAR(fresh.coverage, 0.95, 0.03);
+  // The noise is estimated from 80 runs: of ten times such runs the intervals cover what they say.
+  double coverage = 0.0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    coverage += validation_at(OutputEmulator::fit(design, scattered(design, 100 + seed), false), points,
+                              scattered(points, 200 + seed))
+                    .coverage /
+                10.0;
+  EXPECT_NEAR(coverage, 0.95, 0.03);
   EXPECT_LT(folds.coverage_lower, 0.95);
   EXPECT_GT(folds.coverage_upper, 0.95);
   EXPECT_FALSE(folds.refused());
