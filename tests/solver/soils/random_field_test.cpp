@@ -75,7 +75,7 @@ TEST(RandomField, KeepsMeanAndDeviationOfTheParameter) {
 
 // Off it leaves no trace in the settings; on, every part of it does.
 TEST(RandomField, LeavesNoTraceWhereThereIsNone) {
-  Setup setup = make_setup(Profile::layered_sand_clay, Preset::quick);
+  solver::Setup setup = make_setup(Profile::layered_sand_clay, Preset::quick);
   EXPECT_EQ(canonical_text(setup).find("field"), std::string::npos);
   find_quantity("clay.s_u_field_deviation_kPa")->set_value(setup, 4.0);
   EXPECT_NE(canonical_text(setup).find("clay.s_u_field_deviation_kPa = 4\n"), std::string::npos);
