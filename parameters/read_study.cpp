@@ -140,6 +140,9 @@ class StudyReader {
     const Value* table = section(root_, "limits", errors_);
     if (table == nullptr) return;
     refuse_unknown("limits", *table);
+    for (const std::string_view key : {"hang_minutes", "most_megabytes", "retries"})
+      if (const Member* member = table->find(key); member != nullptr && root_.find("solver") == nullptr)
+        errors_.add(member->place, joined("limits", key), "belongs to a study with a section [solver]");
     const auto minutes = number_field(*table, "limits", "wall_minutes", false, errors_);
     if (!minutes) return;
     if (*minutes <= 0.0)

@@ -32,7 +32,7 @@ const std::map<std::string, std::string> headers = {
     {"D3, Observable Plot (JavaScript)", ""},
     {"CLI11", "CLI/.*"},
     {"nlohmann/json", "nlohmann/.*"},
-    {"Eigen", "Eigen/.*"},
+    {"Eigen", "(unsupported/)?Eigen/.*"},
     {"Boost.Math", "boost/math/.*"},
     {"Boost.PropertyTree (XML)", "boost/property_tree/.*"},
     {"Boost.Random", "boost/random/.*"},

@@ -11,15 +11,27 @@
 namespace cpt::parameters {
 namespace {
 
+// A design that knows the key.
+std::string_view kind_with(std::string_view key) {
+  if (key == "runs" || key == "sections" || key == "estimator") return "sobol";
+  if (key == "sampling" || key == "until") return "propagation";
+  return key == "first_runs" ? "latin_hypercube" : "morris";
+}
+
+// Keys that a study has whose realizations another program runs.
+bool of_program(const KeyTable& table, const Key& key) {
+  return (table.name == "limits" && key.name != "wall_minutes") ||
+         (table.name == "windows" && (key.name == "output" || key.name == "from" || key.name == "to"));
+}
+
 // The table [name] or [[name]] with this one key, and with what makes the reader look at the key.
 std::string table_with(const KeyTable& table, const Key& key, const std::string& value) {
   if (table.name == "parameters")
-    return fmt::format("[parameters]\n\"sand.H\" = {{ {} = {} }}\n", key.name, value);
+    return fmt::format("[parameters]\n\"{}\" = {{ {} = {} }}\n",
+                       key.name == "field" ? "sand.D_r_percent" : "sand.H", key.name, value);
   std::string text = fmt::format("{0}{1}{2}\n", table.list ? "[[" : "[", table.name, table.list ? "]]" : "]");
   if (table.name == "design" && key.name != "kind")
-    text += fmt::format("kind = \"{}\"\n", key.name == "runs"         ? "sobol"
-                                           : key.name == "first_runs" ? "latin_hypercube"
-                                                                      : "morris");
+    text += fmt::format("kind = \"{}\"\n", kind_with(key.name));
   if (key.name == "between_m" || key.name == "width_m") text += "centre = \"baseline_peak\"\n";
   if (table.name == "zones")
     for (const Key& other : table.keys)
@@ -29,6 +41,11 @@ std::string table_with(const KeyTable& table, const Key& key, const std::string&
 
 // What the reader says of a study with this key.
 std::vector<StudyError> errors_with(const KeyTable& table, const Key& key, const std::string& value) {
+  if (of_program(table, key))
+    return errors_of(
+        "[solver]\ncommand = [\"sh\"]\n[solver.inputs]\na = 1\n[solver.outputs]\nf = {}\ns = { over = \"z\" "
+        "}\n" +
+        table_with(table, key, value));
   const auto line = [&](std::string_view name, std::string_view usual) {
     return table.name.empty() && key.name == name ? "" : fmt::format("{} = \"{}\"\n", name, usual);
   };
@@ -73,7 +90,7 @@ TEST(StudyKeys, NumbersKeepTheirRange) {
             << format(errors);
       }
     }
-  EXPECT_EQ(ranges, 8);
+  EXPECT_EQ(ranges, 10);
 }
 
 TEST(StudyKeys, ChoicesAreAllTaken) {

@@ -109,10 +109,12 @@ TEST_F(Figures, EveryBarTellsItsNumbers) {
        {tornado_figure(campaign, campaign.windows[0]), sensitivity_figure(campaign, campaign.windows[0])}) {
     EXPECT_EQ(count(figure.value(), "<title>"), 1 + campaign.sensitivity.size());
     for (const auto& row : campaign.sensitivity)
-      EXPECT_TRUE(has(figure.value(), "<title>" + escape(input_words(campaign, campaign.windows[0], row)) + "</title>"));
+      EXPECT_TRUE(has(figure.value(),
+                      "<title>" + escape(input_words(campaign, campaign.windows[0], row)) + "</title>"));
   }
   const auto& row = campaign.sensitivity.front();
-  EXPECT_TRUE(has(input_words(campaign, campaign.windows[0], row), drawing::number(row.q_lower_kPa, 4) + " kPa\nupper "));
+  EXPECT_TRUE(has(input_words(campaign, campaign.windows[0], row),
+                  drawing::number(row.q_lower_kPa, 4) + " kPa\nupper "));
   EXPECT_TRUE(has(input_words(campaign, campaign.windows[0], row), "\nSI " + drawing::decimals(row.si, 4)));
 }
 

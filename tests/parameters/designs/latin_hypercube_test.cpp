@@ -23,10 +23,10 @@ ChaosIndices indices_of(const Function& function, int parameters, int runs, std:
   return polynomial_chaos(places, numbers(parameters), results_of(function, places));
 }
 
-// Within the interval, or within what the expansion says it misses.
+// Within the interval, or within what the expansion says it misses; a millionth where it misses less.
 void expect_held(const ChaosIndices& fit, const std::vector<Estimate>& estimates,
                  const Eigen::VectorXd& exact, const char* what) {
-  const double missed = 1.0 - fit.q2;
+  const double missed = std::max(1.0 - fit.q2, 1e-6);
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const double truth = exact(static_cast<Index>(i));
     EXPECT_LE(estimates[i].lower - missed, truth) << what << ' ' << i;
