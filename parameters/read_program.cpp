@@ -353,6 +353,12 @@ std::vector<Window> read_program_windows(const Value& root, const solver::Extern
   return windows;
 }
 
+void refuse_program_limits(const Value& limits, ErrorList& errors) {
+  for (const std::string_view key : {"hang_minutes", "most_megabytes", "retries"})
+    if (const Member* member = limits.find(key))
+      errors.add(member->place, joined("limits", key), "belongs to a study with a section [solver]");
+}
+
 void refuse_embedded(const Value& root, ErrorList& errors) {
   for (const std::string_view key :
        {"profile", "preset", "repeats", "paired_repeats", "soils", "layers", "zones"})

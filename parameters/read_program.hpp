@@ -38,6 +38,9 @@ void read_program(const Value& root, FilesBeside files, Study& study, ErrorList&
                                                        const solver::ExternalProgram& program,
                                                        ErrorList& errors);
 
+/// An error for each limit that another program alone has.
+void refuse_program_limits(const Value& limits, ErrorList& errors);
+
 /// An error for each key and section that the embedded solver alone has.
 void refuse_embedded(const Value& root, ErrorList& errors);
 

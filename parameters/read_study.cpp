@@ -140,9 +140,7 @@ class StudyReader {
     const Value* table = section(root_, "limits", errors_);
     if (table == nullptr) return;
     refuse_unknown("limits", *table);
-    for (const std::string_view key : {"hang_minutes", "most_megabytes", "retries"})
-      if (const Member* member = table->find(key); member != nullptr && root_.find("solver") == nullptr)
-        errors_.add(member->place, joined("limits", key), "belongs to a study with a section [solver]");
+    if (root_.find("solver") == nullptr) refuse_program_limits(*table, errors_);
     const auto minutes = number_field(*table, "limits", "wall_minutes", false, errors_);
     if (!minutes) return;
     if (*minutes <= 0.0)

@@ -32,14 +32,13 @@ struct Estimator {
   std::string_view design;
   void (*add)(WindowEffects& window);
   std::string_view converging = "";  ///< the index whose convergence is told; empty: none
-  std::string_view method = "";      ///< of rows that do not say themselves
 };
 constexpr std::array estimators = {
     Estimator{"pairs", add_pairs_effects},
     Estimator{"morris", add_morris_effects, "mu_star"},
     Estimator{"latin_hypercube", add_latin_hypercube_effects, "total_order"},
     Estimator{"sobol", add_sobol_effects, "total_order"},
-    Estimator{"propagation", add_propagation_effects, "", "ten independent sections"},
+    Estimator{"propagation", add_propagation_effects},
 };
 
 const Estimator* estimator_of(std::string_view design) {
@@ -80,11 +79,6 @@ Effects design_effects(const Snapshot& s) {
     estimator->add(window);
     if (effects.design == "propagation") add_convergence(window, effects.convergence);
   }
-  for (EffectRow& row : effects.rows)
-    if (row.method.empty()) {
-      row.method = estimator->method;
-      row.runs = row.used;
-    }
   effects.bands = design_bands(stored, s);
   return effects;
 }

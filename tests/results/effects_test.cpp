@@ -387,7 +387,7 @@ TEST_F(EffectsOf, ConvergenceIsThatOfTheFirstRuns) {
       const EffectRow& alone = row(small, of.quantity, first.parameter);
       const EffectRow& all = row(effects, of.quantity, last.parameter);
       EXPECT_EQ(first.value, alone.value) << of.whole;
-      EXPECT_EQ(first.lower, alone.lower) << of.whole;
+      EXPECT_DOUBLE_EQ(first.lower, alone.lower) << of.whole;
       EXPECT_EQ(first.runs, alone.runs) << of.whole;
       EXPECT_EQ(first.dropped, 0) << of.whole;
       EXPECT_EQ(last.value, all.value) << of.whole;

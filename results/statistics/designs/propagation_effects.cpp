@@ -1,4 +1,6 @@
 #include <array>
+#include <string>
+#include <string_view>
 
 #include "parameters/designs/propagation.hpp"
 #include "results/statistics/window_effects.hpp"
@@ -36,17 +38,19 @@ constexpr std::array numbers = {
 void add_propagation_effects(WindowEffects& w) {
   const auto used = static_cast<int>((w.y.array() == w.y.array()).count());
   const auto dropped = static_cast<int>(w.y.size()) - used;
+  const std::string method =
+      w.study.design.latin ? "Latin hypercubes, ten sections" : "randomized Sobol' points, ten sections";
   for (const Number& number : numbers) {
     const auto estimate = parameters::by_sections(w.y, number.least, number.of, w.study.design.latin);
     w.rows.push_back({w.window.name, "", "", std::string(number.name), w.window.unit(), estimate.value,
-                      estimate.lower, estimate.upper, used, dropped, w.remarks});
+                      estimate.lower, estimate.upper, used, dropped, w.remarks, method, used});
   }
   for (const parameters::Window& window : w.study.windows)
     if (window.name == w.window.name)
       for (const double threshold : window.thresholds) {
         const auto share = parameters::exceedance(w.y * kPa, w.study.design.latin, threshold);
         w.rows.push_back({w.window.name, "", "", "exceedance", "-", share.value, share.lower, share.upper,
-                          used, dropped, w.remarks, "", 0, threshold / kPa});
+                          used, dropped, w.remarks, method, used, threshold / kPa});
       }
 }
 
