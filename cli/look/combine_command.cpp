@@ -60,7 +60,8 @@ sampling, so that their first runs have the same inputs; only preset and runs di
 dear runs alone and from both, with 95 % intervals, and how wide the second interval is over the first (width_ratio).
 
 Example:
-  campaign paper.toml; campaign quick.toml
+  campaign paper.toml
+  campaign quick.toml
   campaign combine paper.toml quick.toml)");
   command->callback([arguments, &action] { action = [arguments] { return combine(*arguments); }; });
 }

@@ -61,9 +61,21 @@ class Output : public testing::Test {
                     .exit_code,
                 0);
     ASSERT_EQ(run(campaign(push())).exit_code, 0);
+    folder->write("sample.toml",
+                  "profile = \"homogeneous_sand\"\npreset = \"quick\"\n[parameters]\n"
+                  "\"sand.nu\" = { lower = 0.1, upper = 0.3 }\n\"sand.H\" = { lower = 20, upper = 75 }\n"
+                  "[fixed]\n\"penetrometer.final_depth_m\" = 0.1\n"
+                  "[[windows]]\nname = \"deep\"\nfrom_m = 0.05\nto_m = 0.09\n"
+                  "[design]\nkind = \"propagation\"\nruns = 40\n");
+    ASSERT_EQ(run(campaign({sample(), "--no-report", "--quiet", "--executor", FAKE_REALIZATION}),
+                  {"CPT_FAKE_SECONDS=0.001"})
+                  .exit_code,
+              0);
+    ASSERT_EQ(run(campaign({"emulate", sample()})).exit_code, 0);
   }
   static void TearDownTestSuite() { delete folder; }
 
+  static std::string sample() { return folder->file("sample.toml"); }
   static std::vector<std::string> diagnosis() {
     return {"diagnose", folder->file("d.toml"), "--quiet", "--no-report", "--executor", FAKE_REALIZATION};
   }
@@ -88,6 +100,9 @@ class Output : public testing::Test {
             {"query", study, "realizations"},
             {"query", study, "sql", "select id from realization", "--format", "csv"},
             {"compare", study, study},
+            {"combine", sample(), sample()},
+            {"emulate", sample()},
+            {"predict", sample(), "--set", "sand.H=50"},
             {"prune", study},
             {"export", study, "--to", folder->file("tables")},
             {"import", folder->file("small.dat"), "--study", study, "--to", folder->file("copy.sqlite")},
