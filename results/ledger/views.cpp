@@ -69,6 +69,7 @@ bound AS (
          coalesce((SELECT id FROM realization WHERE parameter = p.name AND side = 'lower'), baseline.id) AS lower_id,
          coalesce((SELECT id FROM realization WHERE parameter = p.name AND side = 'upper'), baseline.id) AS upper_id
   FROM depth_window AS w CROSS JOIN parameter AS p CROSS JOIN baseline
+  WHERE p.lower <> p.upper  -- the seed of a random field has no bounds
 ),
 state AS (
   SELECT id, CASE WHEN status IN ('pending', 'running', 'not_needed') THEN status
