@@ -113,7 +113,7 @@ TEST_F(Glance, SaysHowLikelyAThresholdIsExceededAndWhyADesignStopped) {
                            percent(row.lower), percent(row.upper)));
   EXPECT_EQ(row.used + row.dropped, 50);
   expect(
-      text,
+      all,
       "By the study's rule, the mean is known to ± 90 % in every window after 50 runs: 50 of the design are "
       "not needed.");
 }
