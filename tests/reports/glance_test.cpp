@@ -110,7 +110,7 @@ TEST_F(Glance, SaysHowLikelyAThresholdIsExceededAndWhyADesignStopped) {
   const std::string all = text("#glance");
   const auto percent = [](double share) { return drawing::number(100.0 * share, 3); };
   expect(all, fmt::format("above 300 kPa with a probability of {} % (95 %: {} to {})", percent(row.value),
-                           percent(row.lower), percent(row.upper)));
+                          percent(row.lower), percent(row.upper)));
   EXPECT_EQ(row.used + row.dropped, 50);
   expect(
       all,
