@@ -85,7 +85,9 @@ std::vector<NamedFigure> window_figures(const results::Snapshot& campaign, const
                          window.name)
            : fmt::format(
                  "What the first runs of the design {} alone would say of window {}: the numbers of the "
-                 "largest inputs, each with its 95 % interval, over the runs that they come from.",
+                 "largest inputs, each with its 95 % interval (cut off at the frame), over the runs that "
+                 "they come "
+                 "from.",
                  design, window.name),
        effects.design == "propagation" ? propagation_convergence_figure(campaign, effects, window, place)
                                        : index_convergence_figure(campaign, effects, window, place)}};

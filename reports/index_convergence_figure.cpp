@@ -53,6 +53,27 @@ Rich quantity_words(const EffectRow& row) {
                                    : plain("total order: share of the variance");
 }
 
+/// What is shown: all estimates and the last intervals. Those of a few runs may be many times as long.
+struct Shown {
+  double least = 0.0, most = 0.0;
+};
+Shown shown_of(const std::vector<Steps>& inputs) {
+  constexpr double above = 1.5;
+  Shown shown;
+  const auto hold = [&](double value) {
+    if (!std::isfinite(value)) return;
+    shown.least = std::min(shown.least, value);
+    shown.most = std::max(shown.most, value);
+  };
+  for (const Steps& steps : inputs) {
+    for (const EffectRow& row : steps) hold(row.value);
+    hold(steps.back().lower);
+    hold(steps.back().upper);
+  }
+  shown.most *= above;
+  return shown;
+}
+
 }  // namespace
 
 std::optional<std::string> index_convergence_figure(const Snapshot& campaign, const Effects& effects,
@@ -68,6 +89,7 @@ std::optional<std::string> index_convergence_figure(const Snapshot& campaign, co
   plot.y_title = quantity_words(inputs.front().front());
   plot.x_ticks = place.column == drawing::Column::single ? 4 : 6;
   plot.room = {{0.0, 0.0}, {static_cast<double>(most_runs), 0.0}};
+  const Shown shown = shown_of(inputs);
   FlowLegend legend;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     const drawing::Pen pen{palette::series[k], 1.1, {}}, thin{palette::series[k], 0.7, {}};
@@ -77,7 +99,9 @@ std::optional<std::string> index_convergence_figure(const Snapshot& campaign, co
     for (const EffectRow& row : inputs[k]) {
       const double x = row.runs + aside;
       line.push_back({x, row.value});
-      if (std::isfinite(row.lower)) plot.curves.push_back({{{x, row.lower}, {x, row.upper}}, thin});
+      if (std::isfinite(row.lower))
+        plot.curves.push_back(
+            {{{x, std::max(row.lower, shown.least)}, {x, std::min(row.upper, shown.most)}}, thin});
     }
     plot.curves.push_back({line, pen});
     plot.curves.push_back({line, pen, estimate_mark});
@@ -86,7 +110,7 @@ std::optional<std::string> index_convergence_figure(const Snapshot& campaign, co
 
   const std::vector<Rich> lines = {
       window_line(window, plain(fmt::format(": {}", depth_range(window.from_m, window.to_m))), figure_width),
-      plain("estimates from the design's first runs alone; lines: 95 % interval")};
+      plain("estimates from the design's first runs alone; lines: 95 % interval, cut off at the frame")};
   const double heading = heading_height(campaign, lines.size(), place.ground);
   const double room = figure_width - 28.0;
   Svg svg(figure_width, heading + convergence_height + 58.0 + legend.height(room), "convergence",

@@ -28,7 +28,7 @@ int id_of(const results::Snapshot& campaign, const std::string& parameter, const
 
 TEST_F(Page, ShowsWhatTheDesignSays) {
   for (const char* design :
-       {"kind = \"morris\"\ntrajectories = 4", "kind = \"latin_hypercube\"\nruns = 40"}) {
+       {"kind = \"morris\"\ntrajectories = 8", "kind = \"latin_hypercube\"\nruns = 40"}) {
     const auto campaign = run_made_up_design(folder / "study.toml", design);
     auto effects = results::design_effects(campaign);
     results::add_index_convergence(campaign, effects);
