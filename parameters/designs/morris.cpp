@@ -1,8 +1,12 @@
 #include "parameters/designs/morris.hpp"
 
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include "parameters/designs/permutation.hpp"
 #include "parameters/designs/variation.hpp"
@@ -32,19 +36,36 @@ MatrixXd effects_of(const MatrixXd& places, const VectorXd& y) {
   return effects;
 }
 
-// mu, mu* and sigma of one parameter over a sample of its trajectories.
+// mu, mu* and sigma of one parameter over a sample of its effects.
 VectorXd moments(const VectorXd& effects, const Resample& sample) {
   double n = 0.0, sum = 0.0, sum_of_sizes = 0.0, squares = 0.0;
   for (const Index t : sample) {
-    if (!std::isfinite(effects(t))) continue;
     n += 1.0;
     sum += effects(t);
     sum_of_sizes += std::abs(effects(t));
   }
-  for (const Index t : sample)
-    if (std::isfinite(effects(t))) squares += std::pow(effects(t) - sum / n, 2);
+  for (const Index t : sample) squares += std::pow(effects(t) - sum / n, 2);
   return Eigen::Vector3d(n > 0.0 ? sum / n : undefined, n > 0.0 ? sum_of_sizes / n : undefined,
                          n > 1.0 ? std::sqrt(squares / (n - 1.0)) : undefined);
+}
+
+constexpr Index fewest_of_sigma = 5;
+
+// The 95 % interval of a standard deviation of numbers of any distribution: normal in its logarithm, as wide
+// as their kurtosis says, which is taken about a trimmed mean (Bonett 2006, eq. 2 to 4).
+Estimate bonett_interval(const VectorXd& effects, double deviation) {
+  const auto n = static_cast<double>(effects.size());
+  if (effects.size() < fewest_of_sigma) return {deviation, undefined, undefined};
+  if (deviation == 0.0) return {0.0, 0.0, 0.0};
+  VectorXd sorted = effects / deviation;
+  std::ranges::sort(sorted);
+  const auto cut = static_cast<Index>(n / (2.0 * std::sqrt(n - 4.0)));
+  const Index kept = effects.size() - 2 * cut;
+  const double middle = kept > 0 ? sorted.segment(cut, kept).mean() : sorted.mean();
+  const double kurtosis = n * (sorted.array() - middle).pow(4).sum() / ((n - 1.0) * (n - 1.0));
+  const double z = quantile(boost::math::normal(), 0.975), c = n / (n - z);
+  const double half = z * c * std::sqrt((kurtosis - (n - 3.0) / n) / (n - 1.0));
+  return {deviation, deviation * std::sqrt(c * std::exp(-half)), deviation * std::sqrt(c * std::exp(half))};
 }
 
 }  // namespace
@@ -79,9 +100,12 @@ std::vector<ElementaryEffects> elementary_effects(const MatrixXd& places, const 
       all.push_back({{}, {}, {}, used, dropped});
       continue;
     }
-    const auto estimates = bootstrap(effects.rows(), bootstrap_draws, seed,
-                                     [&](const Resample& sample) { return moments(effects.col(j), sample); });
-    all.push_back({estimates[0], estimates[1], estimates[2], used, dropped});
+    std::vector<double> own;  // trajectories that say nothing of it are no units to draw
+    std::ranges::copy_if(effects.col(j), std::back_inserter(own), [](double e) { return std::isfinite(e); });
+    const Eigen::Map<const VectorXd> finite(own.data(), used);
+    const auto estimates = bootstrap(used, bootstrap_draws, seed,
+                                     [&](const Resample& sample) { return moments(finite, sample); });
+    all.push_back({estimates[0], estimates[1], bonett_interval(finite, estimates[2].value), used, dropped});
   }
   return all;
 }

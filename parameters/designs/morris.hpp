@@ -29,7 +29,9 @@ struct ElementaryEffects {
 /// The elementary effects of every parameter. `places` is runs x parameters as morris_places orders them,
 /// whose steps may have been changed (a choice steps from 0 to 1, a whole number to the nearest); `y` has the
 /// runs' results, NaN where there is none. A step that changes the result by rounding has no effect; all are
-/// undefined where the result does not vary (variation.hpp). Intervals: bootstrap over trajectories.
+/// undefined where the result does not vary (variation.hpp). Intervals of mu and mu_star: bootstrap over the
+/// trajectories that have an effect; of sigma, from five effects on: Bonett (2006), Computational Statistics
+/// & Data Analysis 50, 775-782.
 [[nodiscard]] std::vector<ElementaryEffects> elementary_effects(const Eigen::MatrixXd& places,
                                                                 const Eigen::VectorXd& y, std::uint64_t seed);
 

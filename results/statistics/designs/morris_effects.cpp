@@ -15,6 +15,7 @@ void add_morris_effects(WindowEffects& w) {
   };
   add("mu_star", &parameters::ElementaryEffects::mu_star);
   add("mu", &parameters::ElementaryEffects::mu);
+  w.method = "elementary effects, Bonett's interval";
   add("sigma", &parameters::ElementaryEffects::sigma);
 }
 
