@@ -185,8 +185,7 @@ class DesignReader {
     return name.has_value();
   }
 
-  // The numbers of runs that a rule may stop at depend on it; without `runs` they are the most that a study
-  // may have without being told.
+  // A rule stops before `runs`; without that number it may take 1000, never more unasked.
   bool read_until() {
     const Member* member = table_.find("until");
     if (member == nullptr) return true;

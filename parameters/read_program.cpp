@@ -183,18 +183,19 @@ class ProgramReader {
     input.unit = text_field(row, key, "unit", false, errors_).value_or("-");
     input.meaning = text_field(row, key, "meaning", false, errors_).value_or("");
     input.integer = flag(row, key, "integer");
-    if (input.min > input.max)
+    if (input.min > input.max) {
       errors_.add(row.find("max")->value.place, joined(key, "max"),
-                  fmt::format("{} is below min = {}", input.max, input.min)),
-          input.min = input.max = input.usual;  // told once
-    else if (const Member* usual = row.find("default");
-             usual != nullptr && (input.usual < input.min || input.usual > input.max))
+                  fmt::format("{} is below min = {}", input.max, input.min));
+      input.min = input.max = input.usual;  // told once
+    } else if (const Member* usual = row.find("default");
+               usual != nullptr && (input.usual < input.min || input.usual > input.max)) {
       errors_.add(usual->value.place, joined(key, "default"),
-                  fmt::format("{} is outside min to max, {} to {}", input.usual, input.min, input.max)),
-          input.usual = std::clamp(input.usual, input.min, input.max);
-    else if (usual != nullptr && input.integer && input.usual != std::round(input.usual))
+                  fmt::format("{} is outside min to max, {} to {}", input.usual, input.min, input.max));
+      input.usual = std::clamp(input.usual, input.min, input.max);
+    } else if (usual != nullptr && input.integer && input.usual != std::round(input.usual)) {
       errors_.add(usual->value.place, joined(key, "default"),
                   fmt::format("{} must be a whole number", input.usual));
+    }
     program_.inputs.push_back(std::move(input));
   }
 

@@ -58,13 +58,15 @@ std::vector<NamedFigure> window_figures(const results::Snapshot& campaign, const
                                         Place place) {
   std::string design = effects.design;
   std::ranges::replace(design, '_', ' ');
+  const std::string average = window.output.empty() ? "the average cone resistance in window " + window.name
+                              : window.is_scalar()
+                                  ? window.output
+                                  : fmt::format("the average {} in window {}", window.output, window.name);
   return {
       {"tornado_" + part,
        fmt::format(
            "Range of {} between each input's lower and upper bound, whose values stand at the bar's ends.",
-           window.output.empty() ? "the average cone resistance in window " + window.name
-           : window.is_scalar()  ? window.output
-                                 : fmt::format("the average {} in window {}", window.output, window.name)),
+           average),
        tornado_figure(campaign, window, place)},
       {"sensitivity_" + part,
        fmt::format(
@@ -79,15 +81,13 @@ std::vector<NamedFigure> window_figures(const results::Snapshot& campaign, const
                                        : effects_figure(campaign, effects, window, place)},
       {"convergence_" + part,
        effects.design == "propagation"
-           ? fmt::format("Mean, 5 and 95 % quantile of the average cone resistance in window {} as the first "
-                         "runs alone "
-                         "have them, with 95 % intervals.",
-                         window.name)
+           ? fmt::format("Mean, 5 and 95 % quantile of {} as the first runs alone have them, with 95 % "
+                         "intervals.",
+                         average)
            : fmt::format(
                  "What the first runs of the design {} alone would say of window {}: the numbers of the "
                  "largest inputs, each with its 95 % interval (cut off at the frame), over the runs that "
-                 "they come "
-                 "from.",
+                 "they come from.",
                  design, window.name),
        effects.design == "propagation" ? propagation_convergence_figure(campaign, effects, window, place)
                                        : index_convergence_figure(campaign, effects, window, place)}};

@@ -48,8 +48,8 @@ std::vector<Steps> converging_inputs(const Effects& effects, const std::string& 
   return inputs;
 }
 
-Rich quantity_words(const EffectRow& row) {
-  return row.quantity == "mu_star" ? symbolic("μ* of the average q_c (kPa)")
+Rich quantity_words(const EffectRow& row, const results::WindowRow& window) {
+  return row.quantity == "mu_star" ? plain(window.is_scalar() ? "μ* of " : "μ* of the ") + axis_of(window)
                                    : plain("total order: share of the variance");
 }
 
@@ -86,7 +86,7 @@ std::optional<std::string> index_convergence_figure(const Snapshot& campaign, co
   for (const Steps& steps : inputs) most_runs = std::max(most_runs, steps.back().runs);
   drawing::XyPlot plot;
   plot.x_title = plain("runs with results that were used");
-  plot.y_title = quantity_words(inputs.front().front());
+  plot.y_title = quantity_words(inputs.front().front(), window);
   plot.x_ticks = place.column == drawing::Column::single ? 4 : 6;
   plot.room = {{0.0, 0.0}, {static_cast<double>(most_runs), 0.0}};
   const Shown shown = shown_of(inputs);
@@ -108,8 +108,9 @@ std::optional<std::string> index_convergence_figure(const Snapshot& campaign, co
     legend.line(symbol_of(campaign, parameter_of(campaign, inputs[k].front().parameter)), pen);
   }
 
+  const std::string where = place_of(campaign, window);
   const std::vector<Rich> lines = {
-      window_line(window, plain(fmt::format(": {}", depth_range(window.from_m, window.to_m))), figure_width),
+      window_line(window, plain(where.empty() ? "" : ": " + where), figure_width),
       plain("estimates from the design's first runs alone; lines: 95 % interval, cut off at the frame")};
   const double heading = heading_height(campaign, lines.size(), place.ground);
   const double room = figure_width - 28.0;

@@ -16,10 +16,11 @@ namespace cpt::reports {
 /// results::output_rows().
 [[nodiscard]] results::Table curve_table(const results::Snapshot& campaign);
 
+/// Of columns: the ledger's, or those of named_for_outputs().
+enum class Names { stored, shown };
+
 /// campaign, imports, parameters, windows, realizations, window_means, repeat_noise, sensitivity and effects
-/// with the name of the design; curves are in curves.csv.
-/// Of an external program's campaign also its outputs.
-enum class Names { stored, shown };  ///< of columns: the ledger's, or those of named_for_outputs()
+/// with the name of the design, of an external program's campaign also its outputs; curves are in curves.csv.
 [[nodiscard]] std::string report_json(const results::Snapshot& campaign, const results::Effects& effects = {},
                                       Names names = Names::stored);
 

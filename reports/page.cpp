@@ -95,8 +95,8 @@ Json page_data(const Snapshot& s, const PageContext& context) {
   for (const results::LayerRow& layer : s.layers)
     data["layers"].push_back({{"top_m", layer.top_m}, {"bottom_m", layer.bottom_m}, {"soil", layer.soil}});
   data["curves"] = Json::array();
-  for (const results::CurveRow& curve : s.curves) {
-    if (s.is_external()) break;  // no curves over depth
+  static const std::vector<results::CurveRow> none;
+  for (const results::CurveRow& curve : s.is_external() ? none : s.curves) {
     Json& drawn = data["curves"].emplace_back();
     drawn = {{"realization", curve.realization},
              {"depth_m", curve.profile.depth},

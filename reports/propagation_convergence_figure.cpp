@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -36,7 +37,7 @@ std::optional<std::string> propagation_convergence_figure(const results::Snapsho
                                                           const results::WindowRow& window, Place place) {
   drawing::XyPlot plot;
   FlowLegend legend;
-  std::size_t least_points = 0;
+  std::size_t most_points = 0;
   for (const Line& line : lines_of_convergence) {
     drawing::XyCurve curve{{}, {line.color, 1.3, {}}};
     drawing::XyFill fill{{}, {}, line.shade, 0.4};
@@ -49,19 +50,20 @@ std::optional<std::string> propagation_convergence_figure(const results::Snapsho
       fill.below.push_back({x, row.estimate.lower});
       fill.above.push_back({x, row.estimate.upper});
     }
-    least_points = curve.points.size();
+    most_points = std::max(most_points, curve.points.size());
     plot.fills.push_back(std::move(fill));
     plot.curves.push_back(std::move(curve));
     legend.line(plain(line.words), {line.color, 1.3, {}});
   }
-  if (least_points < 2) return std::nullopt;
+  if (most_points < 2) return std::nullopt;
   plot.x_title = plain("runs");
-  plot.y_title = symbolic("average q_c (kPa)");
+  plot.y_title = axis_of(window);
   plot.x_ticks = place.column == drawing::Column::single ? 4 : 6;
 
   const double figure_width = width_of(place.column);
+  const std::string where = place_of(campaign, window);
   const std::vector<Rich> heading = {
-      window_line(window, plain(fmt::format(": {}", depth_range(window.from_m, window.to_m))), figure_width),
+      window_line(window, plain(where.empty() ? "" : ": " + where), figure_width),
       plain("what the first runs said; shaded: 95 % interval")};
   const double room = figure_width - 28.0;
   Svg svg(figure_width,

@@ -1,13 +1,12 @@
 #include "parameters/designs/multifidelity.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 
 #include "parameters/designs/propagation.hpp"
+#include "parameters/designs/sectioning.hpp"
 
 namespace cpt::parameters {
 namespace {
@@ -127,12 +126,7 @@ double half_width(const Levels& levels, bool latin,
     if (others[0].own.size() == levels[0].size()) return std::numeric_limits<double>::quiet_NaN();
     left.push_back(number(others));
   }
-  const auto k = static_cast<double>(left.size());
-  const double mean = std::accumulate(left.begin(), left.end(), 0.0) / k;
-  double squares = 0.0;
-  for (const double one : left) squares += (one - mean) * (one - mean);
-  const boost::math::students_t_distribution<double> student(k - 1.0);
-  return boost::math::quantile(student, 0.975) * std::sqrt((k - 1.0) / k * squares);
+  return jackknife_half_width(left);
 }
 
 Estimate jackknifed(const Levels& levels, bool latin,

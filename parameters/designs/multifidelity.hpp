@@ -20,8 +20,7 @@ using Levels = std::vector<Eigen::VectorXd>;
 /// Pearson's correlation of a cheaper model's results with the dearest one's over the paired runs.
 [[nodiscard]] double level_correlation(const Levels& levels, std::size_t cheaper);
 
-/// A number with its 95 % interval by the jackknife over sections: each in turn left out, Student's t with a
-/// degree of freedom less than there are sections (Kott 2001, Journal of Official Statistics 17, 521). NaN
+/// A number with its 95 % interval by the jackknife over sections (jackknife_half_width). NaN
 /// with fewer than ten paired runs, no interval with sections that have none. The interval of a quantile lies
 /// between the values whose shares of the runs are the probability less and plus that of its share (Woodruff
 /// 1952, Journal of the American Statistical Association 47, 635), since the jackknife fails for quantiles
@@ -31,9 +30,8 @@ using Levels = std::vector<Eigen::VectorXd>;
 ///             a_l = cov(y_0, y_l) / var(y_l), of the paired runs.
 /// deviation:  the same of the squares about the mean of each model, then the root.
 /// quantile:   the same of the indicators of y <= x, after a straight line through the paired runs has
-/// brought each
-///             cheaper model to the dearest one's scale; the least x at which this is at least the
-///             probability.
+///             brought each cheaper model to the dearest one's scale; the least x at which this is at
+///             least the probability.
 [[nodiscard]] Estimate combined_mean(const Levels& levels, bool latin = false);
 [[nodiscard]] Estimate combined_deviation(const Levels& levels, bool latin = false);
 [[nodiscard]] Estimate combined_quantile(const Levels& levels, double probability, bool latin = false);

@@ -4,12 +4,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "parameters/designs/orthonormal.hpp"
+#include "parameters/designs/sectioning.hpp"
 #include "parameters/designs/variation.hpp"
 
 namespace cpt::parameters {
@@ -233,13 +233,8 @@ LeftOut leave_out(const MatrixXd& at_all, const Candidates& candidates, const Ve
   return all;
 }
 
-// Delete-a-group jackknife: the squared standard error is (k - 1) / k times the sum of the squared deviations
-// of the k numbers from their mean.
 Estimate jackknifed(double value, const VectorXd& left_out) {
-  const auto k = static_cast<double>(left_out.size());
-  const double squares = (left_out.array() - left_out.mean()).square().sum();
-  const boost::math::students_t_distribution<double> student(k - 1.0);
-  const double half = boost::math::quantile(student, 0.975) * std::sqrt((k - 1.0) / k * squares);
+  const double half = jackknife_half_width({left_out.data(), static_cast<std::size_t>(left_out.size())});
   if (!std::isfinite(half)) return {value, undefined, undefined};
   return {value, value - half, value + half};
 }

@@ -1,5 +1,6 @@
 #include "parameters/designs/sectioning.hpp"
 
+#include <Eigen/Core>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
@@ -22,6 +23,14 @@ Estimate sectioned(double value, std::span<const double> own) {
   estimate.lower = value - half;
   estimate.upper = value + half;
   return estimate;
+}
+
+double jackknife_half_width(std::span<const double> left_out) {
+  const Eigen::Map<const Eigen::ArrayXd> numbers(left_out.data(), static_cast<Eigen::Index>(left_out.size()));
+  const auto k = static_cast<double>(left_out.size());
+  const double squares = (numbers - numbers.mean()).square().sum();
+  const boost::math::students_t_distribution<double> student(k - 1.0);
+  return boost::math::quantile(student, 0.975) * std::sqrt((k - 1.0) / k * squares);
 }
 
 }  // namespace cpt::parameters

@@ -23,10 +23,9 @@ enum class SobolEstimator {
   /// First order: Saltelli et al. (2010), Table 2, eq. b; total order: Jansen (1999), the same table, eq. f.
   saltelli,
   /// Correlations of f(B), and of f(A), with f(A with a column of B): S = r, T = 1 - r (Martinez 2011;
-  /// Baudin,
-  /// Boumhaout, Delage, Iooss & Martinez 2016, International Conference on Sensitivity Analysis of Model
-  /// Output). Free of the mean's size; a total order's error is smaller where the input matters much, a first
-  /// order's larger where it matters little.
+  /// Baudin, Boumhaout, Delage, Iooss & Martinez 2016, International Conference on Sensitivity Analysis of
+  /// Model Output). Free of the mean's size; a total order's error is smaller where the input matters much,
+  /// a first order's larger where it matters little.
   martinez,
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "results/files/error.hpp"
+#include "results/statistics/value_at_depth.hpp"
 #include "results/tables/count_of.hpp"
 #include "solver/channels.hpp"
 
@@ -76,15 +77,6 @@ std::string windows_text(const Snapshot& campaign) {
   for (const WindowRow& window : campaign.windows)
     text += fmt::format("{} {} {} to {} m\n", window.name, window.kind, window.from_m, window.to_m);
   return text;
-}
-
-// Linear between a curve's bins.
-double at_depth(const std::vector<double>& depth, const std::vector<double>& values, double wanted) {
-  const auto above = std::lower_bound(depth.begin(), depth.end(), wanted);
-  const auto i = static_cast<std::size_t>(above - depth.begin());
-  if (i < depth.size() && depth[i] == wanted) return values[i];
-  const double share = (wanted - depth[i - 1]) / (depth[i] - depth[i - 1]);
-  return std::lerp(values[i - 1], values[i], share);
 }
 
 class Trainer {
@@ -253,7 +245,7 @@ class Trainer {
       if (values.empty()) continue;
       for (std::size_t z = 0; z < depth.size(); ++z)
         output.values(static_cast<Index>(z), static_cast<Index>(i)) =
-            at_depth(curves[i]->depth, values, depth[z]) / kPa;
+            value_at_depth(curves[i]->depth, values, depth[z]) / kPa;
     }
     add(std::move(output));
   }
@@ -318,7 +310,8 @@ std::vector<std::string> stale(const Emulator& emulator, const TrainingRuns& now
   const auto gone = std::ranges::count_if(before, [&](const auto& hash) { return !after.contains(hash); });
   const auto fresh = std::ranges::count_if(after, [&](const auto& hash) { return !before.contains(hash); });
   if (gone > 0) differences.push_back(fmt::format("{} of its {} runs are gone", gone, before.size()));
-  if (fresh > 0) differences.push_back(fmt::format("{} more runs are there", fresh));
+  if (fresh > 0)
+    differences.push_back(fmt::format("{} more run{} there", fresh, fresh == 1 ? " is" : "s are"));
   return differences;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "parameters/designs/propagation.hpp"
+#include "results/statistics/value_at_depth.hpp"
 #include "solver/channels.hpp"
 
 namespace cpt::results {
@@ -13,16 +14,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using solver::DepthProfile;
-
-// Between the two bins about the depth; NaN beyond the curve. Depths rise.
-double value_at_depth(const std::vector<double>& depths, const std::vector<double>& values, double depth) {
-  if (values.empty() || depth < depths.front() || depth > depths.back())
-    return std::numeric_limits<double>::quiet_NaN();
-  const auto above = std::ranges::lower_bound(depths, depth);
-  const auto k = static_cast<std::size_t>(above - depths.begin());
-  if (*above == depth) return values[k];
-  return std::lerp(values[k - 1], values[k], (depth - depths[k - 1]) / (depths[k] - depths[k - 1]));
-}
 
 std::vector<double> common_depths(const std::vector<const DepthProfile*>& curves, std::size_t most) {
   const DepthProfile* finest = nullptr;

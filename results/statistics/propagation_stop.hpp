@@ -21,8 +21,7 @@ namespace cpt::results {
 [[nodiscard]] std::vector<int> ids_beyond(const parameters::Study& study, std::size_t enough);
 
 /// "the 95 % quantile is known to +- 3 % in every window after 110 runs, 890 are not needed"; while it is
-/// not:
-/// "... is not yet known ...". Empty without a rule.
+/// not: "... is not yet known ...". Empty without a rule.
 [[nodiscard]] std::string stop_words(const parameters::Study& study, std::optional<std::size_t> enough);
 
 }  // namespace cpt::results

@@ -118,19 +118,16 @@ Table query(const std::filesystem::path& file, std::string_view name) {
 }
 
 Table query(const Database& database, std::string_view name) {
-  if (name == "effects" || name == "convergence") {
+  if (name == "effects" || name == "convergence" || name == "bands") {
     const Transaction transaction(database, Transaction::Kind::read);
     const Snapshot snapshot = read_snapshot(database);
     Effects effects = design_effects(snapshot);
     if (!effects.problem.empty())
       throw Error(fmt::format("{}: {}", database.file().string(), effects.problem));
     if (name == "effects") return effects_table(effects);
+    if (name == "bands") return bands_table(effects);
     add_index_convergence(snapshot, effects);
     return index_convergence_table(effects);
-  }
-  if (name == "bands") {
-    const Transaction transaction(database, Transaction::Kind::read);
-    return bands_table(design_effects(read_snapshot(database)));
   }
   if (name == "unused" && !has_table(database, "unused")) return {};  // an earlier schema version
   for (std::size_t i = 0; i < question_statements.size(); ++i)

@@ -96,6 +96,17 @@ class ExternalSolver : public testing::Test {
            asked("windows") + asked("effects");
   }
 
+  // Nothing is called after what is not there.
+  void expect_no_push_in_report() {
+    for (const auto& entry : fs::directory_iterator(folder.file("other-report"))) {
+      const std::string ending = entry.path().extension();
+      if (ending != ".csv" && ending != ".svg" && ending != ".json") continue;
+      const std::string content = folder.read("other-report/" + entry.path().filename().string());
+      for (const char* word : {"q_c", "energy_error", "depth_m"})
+        EXPECT_EQ(content.find(word), std::string::npos) << entry.path() << ": " << word;
+    }
+  }
+
   StudyFolder folder;
 };
 
@@ -147,9 +158,6 @@ TEST_F(ExternalSolver, RanksDoNotChangeAResultAndRerunAgrees) {
   EXPECT_FALSE(fs::exists(folder.file("other.rerun-0005")));
 }
 
-// The kernel's list of a process's words; empty once it has gone.
-bool is_waiting(pid_t pid) { return alive(pid); }
-
 TEST_F(ExternalSolver, KilledMasterTakesItsProgramsAlongAndResumesToTheSame) {
   ASSERT_EQ(campaign_of(ishigami_study(2)).exit_code, 0);
   const std::string undisturbed = results();
@@ -168,7 +176,7 @@ TEST_F(ExternalSolver, KilledMasterTakesItsProgramsAlongAndResumesToTheSame) {
   ASSERT_EQ(ranks.size(), 2U);
   ASSERT_EQ(::kill(ranks.front(), SIGKILL), 0);
   EXPECT_NE(job.wait().exit_code, 0);
-  EXPECT_TRUE(eventually([&] { return std::none_of(programs.begin(), programs.end(), is_waiting); }))
+  EXPECT_TRUE(eventually([&] { return std::none_of(programs.begin(), programs.end(), alive); }))
       << "programs go with their campaign";
   folder.write("gate", "");
   const Result resumed = run(mpirun(2, {folder.file("other.toml"), "--no-report"}));
@@ -352,28 +360,34 @@ TEST_F(ExternalSolver, CurvesAndTheirTemplate) {
   ASSERT_EQ(means.at("window")[7], "first_year");
   EXPECT_NEAR(std::stod(means.at("mean")[7]), mean, 1e-6);
   EXPECT_EQ(means.at("bins")[7], "8");
-  // Nothing is called after what is not there.
-  for (const auto& entry : fs::directory_iterator(folder.file("other-report"))) {
-    const std::string ending = entry.path().extension();
-    if (ending != ".csv" && ending != ".svg" && ending != ".json") continue;
-    const std::string content = folder.read("other-report/" + entry.path().filename().string());
-    for (const char* word : {"q_c", "energy_error", "depth_m"})
-      EXPECT_EQ(content.find(word), std::string::npos) << entry.path() << ": " << word;
-  }
+  expect_no_push_in_report();
   const std::string figure = folder.read("other-report/tornado_first_year.svg");
   EXPECT_NE(figure.find("average settlement</tspan><tspan> (mm)"), std::string::npos);
   EXPECT_NE(figure.find("time 0–365 d"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder.file("other-report/profiles.svg")));
 }
 
+// How the numbers of a design settle, too.
+TEST_F(ExternalSolver, DesignsAreDrawnInTheOutputsUnit) {
+  std::string text = ishigami_study(8);
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace("f = {}", "f = { unit = \"mm\" }");
+  replace("kind = \"sobol\"\nruns", "kind = \"morris\"\ntrajectories");
+  ASSERT_EQ(campaign_of(text, {}).exit_code, 0);
+  expect_no_push_in_report();
+  const std::string figure = folder.read("other-report/convergence_f.svg");
+  EXPECT_NE(figure.find("<tspan> (mm)"), std::string::npos) << figure;
+  for (const char* word : {"kPa", "average", "nan"})
+    EXPECT_EQ(figure.find(word), std::string::npos) << word << " in " << figure;
+}
+
 TEST_F(ExternalSolver, CommandsAboutPushesRefuseIt) {
   (void)study(ishigami_study(2));
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"push", folder.file("other.toml")}}) {
-    const Result result = run(campaign(words));
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_NE(result.err.find("its solver is another program"), std::string::npos) << result.err;
-  }
+  const Result result = run(campaign({"push", folder.file("other.toml")}));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("its solver is another program"), std::string::npos) << result.err;
 }
 
 // The first thing that a user of Python tries.

@@ -150,7 +150,7 @@ TEST_F(EmulatorOf, AnEditedStudyIsStaleAndTellsWhy) {
   EXPECT_EQ(wider[1], "41 of its 45 runs are gone");
   const auto more = stale(emulator, trained(text_with(hypercube_40) +
                                             "[[points]]\nname = \"one\"\nsand.nu = 0.13\nsand.H = 41\n"));
-  EXPECT_EQ(more, std::vector<std::string>{"1 more runs are there"});
+  EXPECT_EQ(more, std::vector<std::string>{"1 more run is there"});
 }
 
 TEST_F(EmulatorOf, TooFewRunsAndRunsOneAtATimeAreRefused) {
