@@ -35,6 +35,7 @@ void add_paper(CLI::App& program, Action& action);
 void add_conceal(CLI::App& program, Action& action);
 void add_reveal(CLI::App& program, Action& action);
 void add_diagnose(CLI::App& program, Action& action);
+void add_calibration(CLI::App& program, Action& action);
 void add_recording(CLI::App& program, Action& action);
 
 /// Adds `calibrate` to the command `element`.

@@ -84,11 +84,11 @@ int run_program(int argc, char** argv) {
   program.require_subcommand(1);
   cli::Action action;
   for (const auto add :
-       {cli::add_run,      cli::add_rerun,     cli::add_query,     cli::add_compare, cli::add_combine,
-        cli::add_emulate,  cli::add_predict,   cli::add_export,    cli::add_import,  cli::add_report,
-        cli::add_prune,    cli::add_push,      cli::add_view,      cli::add_paper,   cli::add_numerics,
-        cli::add_diagnose, cli::add_conceal,   cli::add_reveal,    cli::add_element, cli::add_recording,
-        cli::add_list,     cli::add_reference, cli::add_completion})
+       {cli::add_run,       cli::add_rerun,       cli::add_query,     cli::add_compare,   cli::add_combine,
+        cli::add_emulate,   cli::add_predict,     cli::add_export,    cli::add_import,    cli::add_report,
+        cli::add_prune,     cli::add_push,        cli::add_view,      cli::add_paper,     cli::add_numerics,
+        cli::add_diagnose,  cli::add_calibration, cli::add_conceal,   cli::add_reveal,    cli::add_element,
+        cli::add_recording, cli::add_list,        cli::add_reference, cli::add_completion})
     add(program, action);
 
   std::vector<std::string> words = command_line(argc, argv, program);

@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <utility>
 
+#include "diagnosis/read_sounding.hpp"
 #include "diagnosis/request_keys.hpp"
 #include "parameters/all_realizations.hpp"
 #include "parameters/fields.hpp"
 #include "parameters/nearest_name.hpp"
 #include "parameters/read_quantities.hpp"
-#include "recordings/csv.hpp"
-#include "solver/lengths.hpp"
 
 namespace cpt::diagnosis {
 namespace {
@@ -157,55 +158,33 @@ class RequestReader {
     }
   }
 
-  void read_columns(const Value& table, SoundingRequest& sounding) {
-    const Member* columns = table.find("columns");
-    if (columns == nullptr) return;
-    if (columns->value.kind != Value::Kind::table)
-      return errors_.add(columns->place, "soundings.columns", "must be a table such as { depth_m = \"z\" }");
-    for (const Member& member : columns->value.members) {
-      const std::string key = "soundings.columns." + member.key;
-      if (const std::string problem = recordings::quantity_problem(member.key); !problem.empty())
-        errors_.add(member.place, key, problem);
-      else if (member.value.kind != Value::Kind::text)
-        errors_.add(member.place, key, "must be the name of a column of the file");
-      else
-        sounding.options.columns.push_back({member.key, member.value.text});
-    }
-  }
-
   // A push with its recording, or one that has none (yet).
   void read_sounding(const Value& table, std::string_view list, bool recorded,
                      std::vector<SoundingRequest>& into) {
     refuse_unknown(list, table, recorded ? Names{} : Names{"recording", "columns"});
-    SoundingRequest sounding;
-    const auto recording = text_field(table, list, "recording", recorded, errors_);
-    const auto from = number_field(table, list, "from_m", true, errors_);
-    const auto to = number_field(table, list, "to_m", true, errors_);
-    sounding.recording = beside(recording.value_or(""));
-    sounding.name =
-        text_field(table, list, "name", !recorded, errors_).value_or(sounding.recording.stem().string());
-    read_columns(table, sounding);
+    std::optional<SoundingRequest> sounding = diagnosis::read_sounding(
+        table, list,
+        {request_.file.parent_path(), known_ ? &study_ : nullptr, request_.cell_height, recorded}, errors_);
+    std::vector<Change> changes;
     if (const Member* fixed = table.find("fixed")) {
       if (fixed->value.kind != Value::Kind::table)
         errors_.add(fixed->place, joined(list, "fixed"), "must be a table of quantities and values");
       else
         for (const Setting& setting : read_settings(fixed->value, joined(list, "fixed"), {}, study_.baseline,
                                                     {.any = !known_, .layers = !known_}, errors_))
-          sounding.changes.push_back({setting.quantity, setting.value});
-      if (known_) check_bounds(fixed->place, joined(list, "fixed"), sounding);
+          changes.push_back({setting.quantity, setting.value});
+      if (known_) check_bounds(fixed->place, joined(list, "fixed"), changes);
     }
-    if (!from || !to) return;
-    sounding.from = *from;
-    sounding.to = *to;
-    check_depths(table, list, sounding);
-    into.push_back(std::move(sounding));
+    if (!sounding) return;
+    sounding->changes = std::move(changes);
+    into.push_back(std::move(*sounding));
   }
 
   // What is known of the sounding must be possible at every bound of the study.
-  void check_bounds(Place place, const std::string& key, const SoundingRequest& sounding) {
+  void check_bounds(Place place, const std::string& key, const std::vector<Change>& changes) {
     Study known = study_;
     known.points.clear();
-    for (const Change& change : sounding.changes) {
+    for (const Change& change : changes) {
       change.quantity->set_value(known.baseline, change.value);
       std::erase_if(known.rows, [&](const Row& row) { return row.quantity == change.quantity; });
     }
@@ -215,28 +194,6 @@ class RequestReader {
             place, key,
             fmt::format("is impossible with the study's {} ({}): {}", parameter_name(known, realization),
                         to_string(realization.side), problem.message));
-  }
-
-  void check_depths(const Value& table, std::string_view list, const SoundingRequest& sounding) {
-    const Place place = table.find("to_m")->value.place;
-    const double final_depth = study_.baseline.penetrometer.final_depth;
-    const double least = 10.0 * request_.cell_height;
-    if (solver::falls_short(sounding.to - sounding.from, least))
-      errors_.add(
-          place, joined(list, "to_m"),
-          fmt::format("{} m to {} m is less than 10 cells of the depth grid", sounding.from, sounding.to),
-          fmt::format("compare at least {:g} m", least));
-    else if (known_ && solver::exceeds(sounding.to, final_depth))
-      errors_.add(place, joined(list, "to_m"),
-                  fmt::format("{} m is below the end of the study's push, penetrometer.final_depth_m = {}",
-                              sounding.to, final_depth),
-                  fmt::format("compare from 0.03 m or deeper to at most {:g} m", final_depth));
-    else if (solver::falls_short(sounding.from, 0.03))
-      errors_.add(
-          table.find("from_m")->value.place, joined(list, "from_m"),
-          fmt::format("{} m lies within the start of the simulated push, whose cone is wished in place",
-                      sounding.from),
-          "begin at 0.03 m or deeper");
   }
 
   static const Study& no_study() {

@@ -25,11 +25,11 @@ Described described(InputKind kind) {
     case InputKind::study:
       return {"a study", "run, rerun, query, export, report and push take it"};
     case InputKind::request:
-      return {"a request for a diagnosis", "campaign diagnose takes it"};
+      return {"a request", "campaign diagnose or campaign calibrate takes it"};
     case InputKind::plan:
       return {"a plan of concealed cases", "campaign conceal and campaign reveal take it"};
     case InputKind::recording:
-      return {"a recording", "campaign recording and the requests of campaign diagnose take it"};
+      return {"a recording", "campaign recording and the requests of campaign diagnose and calibrate take it"};
     case InputKind::triaxial_test:
       return {"a triaxial test", "campaign element calibrate takes it"};
     case InputKind::table:

@@ -9,8 +9,6 @@ namespace cpt::cli {
 
 using namespace diagnosis;
 
-namespace {
-
 recordings::Recording recording_of(const SoundingRequest& sounding) {
   auto read = recordings::parse_recording(read_input(InputKind::recording, sounding.recording),
                                           sounding.recording, sounding.options);
@@ -19,7 +17,12 @@ recordings::Recording recording_of(const SoundingRequest& sounding) {
   return std::get<recordings::Recording>(std::move(read));
 }
 
-}  // namespace
+void look_for_recordings(std::vector<SoundingRequest>& soundings, const std::filesystem::path& here,
+                         const std::filesystem::path& elsewhere) {
+  for (SoundingRequest& sounding : soundings)
+    if (!elsewhere.empty() && !std::filesystem::exists(sounding.recording))
+      sounding.recording = elsewhere / sounding.recording.lexically_relative(here);
+}
 
 StudyFile study_of(const std::filesystem::path& study,
                    const std::vector<parameters::StudyError>& problems_of_request) {
@@ -47,10 +50,7 @@ RequestFile read_request_file(const std::filesystem::path& file, const std::file
   if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
     throw BadInput(parameters::format(*errors));
   asked.request = std::get<Request>(std::move(parsed));
-  const std::filesystem::path here = asked.request.file.parent_path();
-  for (SoundingRequest& sounding : asked.request.soundings)
-    if (!recordings.empty() && !std::filesystem::exists(sounding.recording))
-      sounding.recording = recordings / sounding.recording.lexically_relative(here);
+  look_for_recordings(asked.request.soundings, asked.request.file.parent_path(), recordings);
   return asked;
 }
 

@@ -18,6 +18,14 @@ struct RequestFile {
   diagnosis::Request request;
 };
 
+/// The sounding's file. Throws BadInput where it cannot be read.
+[[nodiscard]] recordings::Recording recording_of(const diagnosis::SoundingRequest& sounding);
+
+/// Recordings beside a request in the folder `here` that are not there are looked for in `elsewhere`, if that
+/// is not empty.
+void look_for_recordings(std::vector<diagnosis::SoundingRequest>& soundings,
+                         const std::filesystem::path& here, const std::filesystem::path& elsewhere);
+
 /// The study that a request or plan names. Throws BadInput with all that is wrong with it, and what is wrong
 /// with the request itself.
 [[nodiscard]] StudyFile study_of(const std::filesystem::path& study,

@@ -22,26 +22,6 @@ struct EmulateArguments {
   results::Format format = results::Format::table;
 };
 
-// The stored one where it is as good as the ledger, else a new one, stored.
-results::Emulator emulator_of(const EmulateArguments& arguments, const StudyFile& study) {
-  const std::filesystem::path file = results::emulator_file_of(study.study.database);
-  const results::TrainingRuns runs = training_runs(arguments.study, study);
-  std::error_code ignored;
-  if (arguments.next > 0 && std::filesystem::exists(file, ignored)) {
-    results::Emulator stored = results::read_emulator(file);
-    if (results::stale(stored, runs).empty()) return stored;
-  }
-  std::vector<std::string> notes;
-  results::Emulator emulator = results::make_emulator(runs, notes);
-  for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
-  if (emulator.outputs.empty())
-    throw results::Error(fmt::format("{}: no output of its runs can be emulated", emulator.study));
-  results::write_emulator(file, emulator);
-  fmt::print(stderr, "{}: {} runs of {} inputs\n", file.string(), emulator.runs.size(),
-             emulator.inputs.size());
-  return emulator;
-}
-
 results::Table told(const results::Emulator& emulator) {
   results::Table table{{"output", "runs", "scale", "components", "Q2", "rmse_kPa", "coverage_95",
                         "coverage_lower", "coverage_upper", "verdict"},
@@ -59,7 +39,7 @@ results::Table told(const results::Emulator& emulator) {
 int emulate(const EmulateArguments& arguments) {
   const StudyFile study = read_study_file(arguments.study);
   refuse_external(study.study, "emulate");
-  const results::Emulator emulator = emulator_of(arguments, study);
+  const results::Emulator emulator = emulator_of(arguments.study, study, arguments.next > 0);
   if (arguments.next > 0) {
     fmt::print("{}", next_points(study.study, emulator, arguments.next));
     return all_well;

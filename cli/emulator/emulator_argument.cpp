@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
 #include "cli/common/ledger_argument.hpp"
 #include "results/emulator/emulator_file.hpp"
 
@@ -12,6 +14,26 @@ results::TrainingRuns training_runs(const std::filesystem::path& source, const S
   results::TrainingRuns runs = results::training_runs(study.study, campaign);
   for (const std::string& note : runs.notes) fmt::print(stderr, "note: {}\n", note);
   return runs;
+}
+
+results::Emulator emulator_of(const std::filesystem::path& source, const StudyFile& study,
+                              bool stored_will_do) {
+  const std::filesystem::path file = results::emulator_file_of(study.study.database);
+  const results::TrainingRuns runs = training_runs(source, study);
+  std::error_code ignored;
+  if (stored_will_do && std::filesystem::exists(file, ignored)) {
+    results::Emulator stored = results::read_emulator(file);
+    if (results::stale(stored, runs).empty()) return stored;
+  }
+  std::vector<std::string> notes;
+  results::Emulator emulator = results::make_emulator(runs, notes);
+  for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
+  if (emulator.outputs.empty())
+    throw results::Error(fmt::format("{}: no output of its runs can be emulated", emulator.study));
+  results::write_emulator(file, emulator);
+  fmt::print(stderr, "{}: {} runs of {} inputs\n", file.string(), emulator.runs.size(),
+             emulator.inputs.size());
+  return emulator;
 }
 
 results::Emulator read_emulator_of(const std::filesystem::path& source) {

@@ -13,6 +13,11 @@ namespace cpt::cli {
 [[nodiscard]] results::TrainingRuns training_runs(const std::filesystem::path& source,
                                                   const StudyFile& study);
 
+/// The stored emulator of a study where that will do and is as good as the ledger, else a new one, which is
+/// stored. Throws results::Error where there is nothing to make one of.
+[[nodiscard]] results::Emulator emulator_of(const std::filesystem::path& source, const StudyFile& study,
+                                            bool stored_will_do);
+
 /// The emulator of a study, read from NAME-emulator.h5, or of the file itself, as it is stored. Throws
 /// results::Error where the study's ledger holds something else than it was made from.
 [[nodiscard]] results::Emulator read_emulator_of(const std::filesystem::path& study_or_emulator);

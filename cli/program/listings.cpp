@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/exit_codes.hpp"
+#include "diagnosis/calibration/calibration_keys.hpp"
 #include "diagnosis/request_keys.hpp"
 #include "parameters/distributions/read_distribution.hpp"
 #include "parameters/study_keys.hpp"
@@ -178,6 +179,7 @@ Table keys(std::span<const parameters::KeyTable> tables, const char* what = "sec
 Table study_keys(bool) { return keys(parameters::study_keys()); }
 Table distributions(bool) { return keys(parameters::distribution_kinds(), "kind", kind_name); }
 Table request_keys(bool) { return keys(diagnosis::request_keys()); }
+Table calibration_keys(bool) { return keys(diagnosis::calibration_keys()); }
 
 Table exit_codes(bool) {
   Table table{{"exit code", "meaning"}, {}};
@@ -236,6 +238,8 @@ Table commands(bool) {
        {"campaign diagnose REQUEST",
         "where recordings and simulation part, and which left-out physics closes the gap "
         "(diagnosis-method.md)"},
+       {"campaign calibrate REQUEST",
+        "posterior of a study's parameters from recordings, by its emulator (calibration.md)"},
        {"campaign conceal PLAN", "draws sealed cases for the diagnosis"},
        {"campaign reveal PLAN", "opens them once they are diagnosed, and scores the answers"},
        {"campaign list quantities",
@@ -271,7 +275,7 @@ Table channels(bool) {
 Table files(bool) {
   return {
       {"file", "meaning"},
-      {{"NAME.toml", "a study, a request for a diagnosis, or a plan of concealed cases"},
+      {{"NAME.toml", "a study, a request for a diagnosis or a calibration, or a plan of concealed cases"},
        {"NAME.sqlite", "the campaign's ledger: realizations, settings, curves, window means (schema.md)"},
        {"NAME.h5", "its curves as HDF5"},
        {"NAME-report/", "its report, index.html first"},
@@ -279,6 +283,7 @@ Table files(bool) {
        {"NAME.work/",
         "work folders of an external solver, those of failed realizations (external-solvers.md)"},
        {"NAME-diagnosis.sqlite", "runs that diagnoses of the study NAME made"},
+       {"NAME-calibration/", "posterior, draws, bands and figures of `campaign calibrate` (calibration.md)"},
        {"NAME-push/", "fields and histories of `campaign push` (output.md)"},
        {"NAME-cases/, NAME-sealed/", "what `campaign conceal` drew: recordings and requests; the truth"}}};
 }
@@ -296,6 +301,8 @@ constexpr Listing all_listings[] = {
     {"profiles", "Profiles", "soil profiles a study can start from", profiles},
     {"presets", "Presets", "resolutions of the model", presets},
     {"request-keys", "Keys of a request", "the keys of a request for a diagnosis", request_keys},
+    {"calibration-keys", "Keys of a calibration", "the keys of a request for a calibration",
+     calibration_keys},
     {"mechanisms", "Mechanisms", "physical effects that can be switched on and that a diagnosis looks for",
      mechanisms},
     {"queries", "Queries", "what campaign query answers", queries},

@@ -65,7 +65,7 @@ TEST(CommandLine, BadInputIsExitCode2WithItsReason) {
       {{"push", folder.study(), "--radial-between", "0.4,0.2"}, "the first depth must be the smaller one"},
       {{"numerics"}, "STUDY|DB is required"},
       {{"run", "/"}, "/: cannot be read as a study (Is a directory)"},
-      {{"diagnose", "/"}, "/: cannot be read as a request for a diagnosis (Is a directory)"},
+      {{"diagnose", "/"}, "/: cannot be read as a request (Is a directory)"},
       {{"conceal", "/"}, "/: cannot be read as a plan of concealed cases (Is a directory)"},
       {{"run", "/dev/zero"}, "/dev/zero: cannot be read as a study (more than 64 MiB)"},
       {{"query", "/nowhere/x.toml", "failures"}, "cannot be read as a study (No such file or directory)"},

@@ -97,8 +97,8 @@ TEST(Hints, AFileOfAnotherKindNamesTheCommandsThatTakeIt) {
       {{database}, "small.sqlite: is a database, not a study; query, compare"},
       {{"run", database, "--plan"}, "is a database, not a study"},
       {{"push", database}, "is a database, not a study"},
-      {{"diagnose", database}, "is a database, not a request for a diagnosis"},
-      {{"diagnose", folder.study()}, "is a study, not a request for a diagnosis; run, rerun"},
+      {{"diagnose", database}, "is a database, not a request"},
+      {{"diagnose", folder.study()}, "is a study, not a request; run, rerun"},
       {{"diagnose", folder.file("plan.toml")}, "is a plan of concealed cases, not a request"},
       {{"conceal", folder.study()}, "is a study, not a plan of concealed cases"},
       {{"recording", folder.study()}, "small.toml: is a study, not a recording; run, rerun"},
@@ -106,8 +106,8 @@ TEST(Hints, AFileOfAnotherKindNamesTheCommandsThatTakeIt) {
       {{"element", "calibrate", folder.study()}, "is a study, not a triaxial test"},
       {{"import", database, "--study", folder.study(), "--to", folder.file("new.sqlite")},
        "is a database, not a table"},
-      {{"run", folder.file("request.toml")}, "is a request for a diagnosis, not a study; campaign diagnose"},
-      {{"query", folder.file("request.toml"), "tornado"}, "is a request for a diagnosis, not a study"},
+      {{"run", folder.file("request.toml")}, "is a request, not a study; campaign diagnose"},
+      {{"query", folder.file("request.toml"), "tornado"}, "is a request, not a study"},
   });
   // Whatever it is called, a database is taken where one is wanted.
   EXPECT_EQ(run(campaign({"query", folder.file("copy.toml"), "realizations"})).exit_code, 0);
@@ -133,7 +133,7 @@ TEST(Hints, WhatIsNoFileIsRefusedAtOnceWithItsCause) {
       {{"export", pipe}, "cannot be read as a study (is a pipe"},
       {{"compare", pipe, folder.study()}, "cannot be read as a study (is a pipe"},
       {{"push", pipe}, "cannot be read as a study (is a pipe"},
-      {{"diagnose", pipe}, "cannot be read as a request for a diagnosis (is a pipe"},
+      {{"diagnose", pipe}, "cannot be read as a request (is a pipe"},
       {{"conceal", pipe}, "cannot be read as a plan of concealed cases (is a pipe"},
       {{"recording", pipe}, "cannot be read as a recording (is a pipe"},
       {{"recording", "/"}, "/: cannot be read as a recording (Is a directory)"},

@@ -80,6 +80,7 @@ TEST(Examples, HaveTheirRealizations) {
 TEST(Examples, WithDistributionsAreSound) {
   if (const std::string why = without_openturns(); !why.empty()) GTEST_SKIP() << why;
   expect_study("designs/propagation.toml", Profile::homogeneous_sand, Preset::quick, 1 + 4 * 2 + 60);
+  expect_study("calibration/clay.toml", Profile::homogeneous_clay, Preset::quick, 1 + 4 * 2 + 200);
 }
 
 TEST(Examples, WithAnotherProgramAreSound) {
