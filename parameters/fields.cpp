@@ -99,6 +99,16 @@ std::optional<double> number_field(const Value& table, std::string_view prefix, 
   return member == nullptr ? std::nullopt : finite_number(member->value, joined(prefix, key), errors);
 }
 
+std::optional<bool> flag_field(const Value& table, std::string_view prefix, std::string_view key,
+                               ErrorList& errors) {
+  const Member* member = table.find(key);
+  if (member == nullptr) return std::nullopt;
+  if (member->value.kind == Value::Kind::boolean) return member->value.number != 0.0;
+  errors.add(member->value.place, joined(prefix, key),
+             fmt::format("must be true or false, not {}", to_string(member->value.kind)));
+  return std::nullopt;
+}
+
 std::optional<std::string> text_field(const Value& table, std::string_view prefix, std::string_view key,
                                       bool required, ErrorList& errors) {
   const Member* member = field(table, prefix, key, required, errors);

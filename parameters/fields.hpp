@@ -51,6 +51,8 @@ bool refuse_unknown_keys(const Value& table, std::string_view prefix, std::span<
 // Each gives nothing after an error, or if `required` is false and the field is not there.
 [[nodiscard]] std::optional<double> number_field(const Value& table, std::string_view prefix,
                                                  std::string_view key, bool required, ErrorList& errors);
+[[nodiscard]] std::optional<bool> flag_field(const Value& table, std::string_view prefix,
+                                             std::string_view key, ErrorList& errors);
 [[nodiscard]] std::optional<std::string> text_field(const Value& table, std::string_view prefix,
                                                     std::string_view key, bool required, ErrorList& errors);
 /// The text is one of the names.

@@ -9,6 +9,7 @@
 
 #include "parameters/designs/design.hpp"
 #include "parameters/designs/sectioning.hpp"
+#include "parameters/distributions/drawn.hpp"
 #include "parameters/nearest_name.hpp"
 #include "parameters/read_quantities.hpp"
 #include "parameters/study_keys.hpp"
@@ -61,6 +62,7 @@ class DesignReader {
     sound = read_estimator() && sound;
     sound = read_sampling() && sound;
     sound = read_until() && sound;
+    sound = may_shift_points() && sound;
     sound = sound && growth() && enough_sections();
     return sound && affordable() ? design_ : Design();
   }
@@ -83,7 +85,7 @@ class DesignReader {
     } else if (!read_names(*member)) {
       return false;
     }
-    // Last, so that a field leaves the places of the other rows as they are.
+    // Last: the directions of the sequence that the other rows take stay theirs.
     for (std::size_t row = 0; row < rows_.size() && kind_->draws_fields; ++row)
       if (rows_[row].only_drawn()) design_.rows.push_back(row);
     if (design_.rows.size() >= kind_->least_rows) return true;
@@ -217,6 +219,22 @@ class DesignReader {
     return true;
   }
 
+  bool may_shift_points() {
+    const Member* member = table_.find("shift_points");
+    if (member == nullptr || (kind_->draws_fields && !setup_.program)) return true;
+    if (setup_.program) {
+      refuse(*member,
+             "shifts the material points of the embedded solver, and the study's realizations are another "
+             "program's");
+      return false;
+    }
+    std::vector<std::string_view> kinds;
+    for (const DesignKind& kind : all_designs())
+      if (kind.draws_fields) kinds.push_back(kind.name);
+    refuse(*member, fmt::format("means nothing to {}; it belongs to {}", kind_->name, listed(kinds)));
+    return false;
+  }
+
   bool read_estimator() {
     const Member* member = table_.find("estimator");
     if (kind_->estimators.empty()) {
@@ -271,6 +289,21 @@ class DesignReader {
 };
 
 }  // namespace
+
+std::optional<Row> drawn_shift(const Value& root, const std::vector<Row>& rows, const solver::Setup& setup,
+                               ErrorList& errors) {
+  const Member* design = root.find("design");
+  if (design == nullptr || design->value.kind != Value::Kind::table || setup.program) return std::nullopt;
+  if (!flag_field(design->value, "design", "shift_points", errors).value_or(false)) return std::nullopt;
+  const solver::Quantity& shift = *solver::find_quantity("numerics.point_shift");
+  if (std::ranges::find(rows, &shift, &Row::quantity) != rows.end()) {
+    errors.add(design->value.find("shift_points")->value.place, "design.shift_points",
+               "numerics.point_shift is a row of [parameters]", "leave out one of the two");
+    return std::nullopt;
+  }
+  const double baseline = shift.value(setup);
+  return Row{&shift, baseline, baseline, baseline, std::make_shared<PointShift>()};
+}
 
 Design read_design(const Value& root, const std::vector<Row>& rows, const solver::Setup& setup,
                    ErrorList& errors) {

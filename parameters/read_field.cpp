@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "parameters/distributions/field_seed.hpp"
+#include "parameters/distributions/drawn.hpp"
 
 namespace cpt::parameters {
 namespace {

@@ -55,7 +55,7 @@ class ProgramReader {
                   "such as command = [\"python3\", \"model.py\"]");
     read_version(*table);
     read_results(*table);
-    program_.limits.keep_work = flag(*table, "solver", "keep_work");
+    program_.limits.keep_work = flag_field(*table, "solver", "keep_work", errors_).value_or(false);
     read_inputs(*table);
     read_outputs(*table);
     read_template(*table);
@@ -105,15 +105,6 @@ class ProgramReader {
     if (found.empty() || found.front().empty())
       return refuse(member.value.place, found.empty() ? "has no word" : "begins with an empty word");
     return found;
-  }
-
-  bool flag(const Value& table, std::string_view prefix, std::string_view key) {
-    const Member* member = table.find(key);
-    if (member == nullptr) return false;
-    if (member->value.kind != Value::Kind::boolean)
-      errors_.add(member->value.place, joined(prefix, key),
-                  fmt::format("must be true or false, not {}", to_string(member->value.kind)));
-    return member->value.number != 0.0;
   }
 
   void read_version(const Value& table) {
@@ -182,7 +173,7 @@ class ProgramReader {
     input.max = number_field(row, key, "max", false, errors_).value_or(input.max);
     input.unit = text_field(row, key, "unit", false, errors_).value_or("-");
     input.meaning = text_field(row, key, "meaning", false, errors_).value_or("");
-    input.integer = flag(row, key, "integer");
+    input.integer = flag_field(row, key, "integer", errors_).value_or(false);
     if (input.min > input.max) {
       errors_.add(row.find("max")->value.place, joined(key, "max"),
                   fmt::format("{} is below min = {}", input.max, input.min));

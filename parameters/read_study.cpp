@@ -56,6 +56,8 @@ class StudyReader {
       setting.quantity->set_value(study_.baseline, setting.value);
     for (const PlacedRow& placed : sections.rows) study_.rows.push_back(placed.row);
     if (own_layers) study_.baseline.layers = own.layers;  // setting the soil's height moves the last layer
+    if (auto shift = drawn_shift(root_, study_.rows, study_.baseline, errors_))
+      study_.rows.push_back(std::move(*shift));
     check_height(own, profile_known, sections);
 
     read_points();

@@ -24,7 +24,8 @@ struct Row {
   double lower;                                        ///< equal to baseline where one-sided
   double upper;                                        ///< equal to baseline where one-sided
   std::shared_ptr<const Marginal> marginal = nullptr;  ///< how it is distributed; none: within its bounds
-  /// The seed of a random field: it has no bounds, and designs that sample draw it.
+  /// The seed of a random field, or the shift of the material points: without bounds, and drawn by designs
+  /// that sample.
   [[nodiscard]] bool only_drawn() const { return marginal != nullptr && lower == upper; }
 };
 

@@ -139,7 +139,10 @@ std::vector<KeyTable> listed_tables() {
         {"until", "{ quantile = P, half_width_percent = X }", "none",
          "propagation: ends, at most after `runs` (without it 1000), once the 95 % interval of that "
          "quantile, without one "
-         "of the mean, is at most X % to either side in every window"}}},
+         "of the mean, is at most X % to either side in every window"},
+        {"shift_points", "true or false", "false",
+         "propagation, sobol: every run draws where its material points lie about their grid, so that its "
+         "results scatter as those of another mesh would"}}},
       {"correlation",
        false,
        "rank correlations of rows with distributions that [design] draws together: \"NAME\" = { \"OTHER\" = "

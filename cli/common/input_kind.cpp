@@ -29,7 +29,8 @@ Described described(InputKind kind) {
     case InputKind::plan:
       return {"a plan of concealed cases", "campaign conceal and campaign reveal take it"};
     case InputKind::recording:
-      return {"a recording", "campaign recording and the requests of campaign diagnose and calibrate take it"};
+      return {"a recording",
+              "campaign recording and the requests of campaign diagnose and calibrate take it"};
     case InputKind::triaxial_test:
       return {"a triaxial test", "campaign element calibrate takes it"};
     case InputKind::table:

@@ -71,6 +71,7 @@ int calibrate_request(const CalibrationArguments& arguments) {
   if (refuse_all_channels(asked.request, emulator)) return emulator_refused;
   std::vector<std::string> notes;
   CalibrateOptions options = options_of(asked.request);
+  options.sampler.threads = arguments.threads;
   try {
     const CalibrationModel model(
         assemble_calibration(asked.request, asked.study.study, emulator, recordings, notes));
@@ -115,7 +116,7 @@ void add_calibration(CLI::App& program, Action& action) {
       ->check(CLI::Range(10, 10000).description("10 to 10000"));
   command
       ->add_option("--threads", arguments->threads,
-                   "Threads of --check [one a core]; the answer is the same with any number")
+                   "Threads [one a core]; the answer is the same with any number")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description("1 to 1024"));
   command->footer(R"(A request is a TOML file:

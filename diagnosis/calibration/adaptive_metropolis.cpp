@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
+#include "diagnosis/calibration/in_parallel.hpp"
 #include "diagnosis/random.hpp"
 
 namespace cpt::diagnosis {
@@ -132,22 +134,23 @@ Sample sample(const LogDensity& log_density, const MatrixXd& starts, const Sampl
   for (Index c = 0; c < starts.rows(); ++c)
     chains.emplace_back(log_density, starts.row(c).transpose(), options.seed, static_cast<std::uint64_t>(c));
   MatrixXd covariance = MatrixXd::Zero(starts.cols(), starts.cols());
-  for (Chain& chain : chains) {
-    chain.warm_up(options.warm_up);
-    covariance += chain.covariance() / static_cast<double>(chains.size());
-  }
+  in_parallel(starts.rows(), options.threads,
+              [&](Index c) { chains[static_cast<std::size_t>(c)].warm_up(options.warm_up); });
+  for (const Chain& one : chains) covariance += one.covariance() / static_cast<double>(chains.size());
 
   Sample found;
   for (Index steps = options.first_round;; steps = std::min(2 * steps, options.last_round)) {
-    found.chains.clear();
-    long moves = 0;
-    for (Chain& chain : chains) {
-      chain.tune(covariance, steps / 4);
-      const long before = chain.moves();
-      found.chains.push_back(chain.draw(steps));
-      moves += chain.moves() - before;
-    }
-    found.accepted = static_cast<double>(moves) / static_cast<double>(steps * starts.rows());
+    found.chains.assign(chains.size(), MatrixXd());
+    std::vector<long> moves(chains.size());
+    in_parallel(starts.rows(), options.threads, [&](Index c) {
+      const auto at = static_cast<std::size_t>(c);
+      chains[at].tune(covariance, steps / 4);
+      const long before = chains[at].moves();
+      found.chains[at] = chains[at].draw(steps);
+      moves[at] = chains[at].moves() - before;
+    });
+    found.accepted = static_cast<double>(std::accumulate(moves.begin(), moves.end(), 0L)) /
+                     static_cast<double>(steps * starts.rows());
     found.convergence.clear();
     found.converged = true;
     for (Index j = 0; j < starts.cols(); ++j) {

@@ -17,7 +17,7 @@
 
 namespace cpt::diagnosis {
 
-/// ln of the density, up to a constant; -infinity where it is nil.
+/// ln of the density, up to a constant; -infinity where it is nil. Several threads may ask at once.
 using LogDensity = std::function<double(const Eigen::VectorXd&)>;
 
 struct SamplerOptions {
@@ -27,6 +27,7 @@ struct SamplerOptions {
   double most_r_hat = 1.01;         ///< of every coordinate
   double least_size = 400.0;        ///< effective draws of all chains, bulk and tail
   std::uint64_t seed = 1;
+  int threads = 1;  ///< that walk the chains, one each at most; the draws are the same with any number
 };
 
 struct Sample {

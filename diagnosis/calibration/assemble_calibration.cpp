@@ -141,17 +141,15 @@ class CalibrationAssembler {
     const results::PrincipalComponents& components = output->emulator.components();
     made.mean = average * components.mean;
     made.shapes = average * components.shapes;
-    made.left_out = average * components.left_out;  // its scatter may be correlated within a cell: not less
+    made.left_out = average * results::left_out_covariance(components) * average.transpose();
     made.recorded =
         recordings_ == nullptr
             ? made.mean
             : VectorXd(Eigen::Map<const VectorXd>(recorded.data(), static_cast<Index>(recorded.size())));
     const results::OutputEmulator& curve = output->emulator;
     made.scores = [&curve](const Eigen::RowVectorXd& place) {
-      ScorePrediction at{curve.score_means(place), curve.score_variances(place)};
-      for (Index k = 0; k < at.variance.size(); ++k)
-        at.variance(k) += curve.processes()[static_cast<std::size_t>(k)].noise();
-      return at;
+      results::OutputEmulator::ScoresAtPoint at = curve.scores_at(place);
+      return ScorePrediction{std::move(at.mean), std::move(at.variance)};
     };
     check_magnitude(made);
     made_.channels.push_back(std::move(made));

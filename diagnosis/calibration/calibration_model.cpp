@@ -29,7 +29,7 @@ CalibrationModel::CalibrationModel(CalibrationProblem problem) : problem_(std::m
     const CalibrationChannel& channel = problem_.channels[c];
     const auto n = static_cast<Index>(channel.cells.size());
     if (n == 0 || channel.recorded.size() != n || channel.mean.size() != n || channel.shapes.rows() != n ||
-        channel.left_out.size() != n)
+        channel.left_out.rows() != n || channel.left_out.cols() != n)
       throw std::invalid_argument("cells and curves do not agree");
     constexpr double least_share = 0.1;  // of the largest value: where a curve is nil, deviations are not
     units_.push_back(channel.logarithmic ? VectorXd::Ones(n)
@@ -42,7 +42,8 @@ CalibrationModel::CalibrationModel(CalibrationProblem problem) : problem_(std::m
       const std::vector<Cell> own(channel.cells.begin() + first, channel.cells.begin() + last);
       const auto unit = units_.back().segment(first, last - first).asDiagonal();
       blocks.push_back({first, last - first, sounding,
-                        unit * noise_covariance(own, {Kernel::matern_32, 1.0, channel.length}) * unit});
+                        unit * noise_covariance(own, {Kernel::matern_32, 1.0, channel.length}) * unit,
+                        channel.left_out.block(first, first, last - first, last - first)});
       deviations_.push_back({true, c, sounding, channel.discrepancy});
     }
   }
@@ -135,9 +136,8 @@ double CalibrationModel::channel_likelihood(std::size_t c, const Eigen::RowVecto
   double square = 0.0, log_determinant = 0.0;
   for (const Block& block : blocks_[c]) {
     const double deviation = discrepancy_of(c, block.sounding, values);
-    MatrixXd covariance = deviation * deviation * block.correlation;
-    covariance.diagonal() += channel.left_out.segment(block.first, block.count) +
-                             (noise * units_[c].segment(block.first, block.count)).cwiseAbs2();
+    MatrixXd covariance = deviation * deviation * block.correlation + block.left_out;
+    covariance.diagonal() += (noise * units_[c].segment(block.first, block.count)).cwiseAbs2();
     const Whitener whitener(covariance);
     const VectorXd white = whitener.whiten(residual.segment(block.first, block.count));
     const MatrixXd shapes = whitener.whiten(scaled.middleRows(block.first, block.count));
@@ -181,16 +181,17 @@ CalibratedCells CalibrationModel::cells(std::size_t c, const VectorXd& values) c
   const auto n = static_cast<Index>(channel.cells.size());
   CalibratedCells found;
   found.simulation = channel.mean + channel.shapes * scores.mean;
-  found.simulation_variance = scaled.rowwise().squaredNorm() + channel.left_out;
-  MatrixXd discrepancy = MatrixXd::Zero(n, n);
+  found.simulation_variance = scaled.rowwise().squaredNorm() + channel.left_out.diagonal();
+  MatrixXd covariance = scaled * scaled.transpose(), discrepancy = MatrixXd::Zero(n, n);
   for (const Block& block : blocks_[c]) {
     const double deviation = discrepancy_of(c, block.sounding, values);
     discrepancy.block(block.first, block.first, block.count, block.count) =
         deviation * deviation * block.correlation;
+    covariance.block(block.first, block.first, block.count, block.count) += block.left_out;
   }
   const VectorXd measured = (noise * units_[c]).cwiseAbs2();
-  MatrixXd covariance = discrepancy + scaled * scaled.transpose();
-  covariance.diagonal() += channel.left_out + measured;
+  covariance += discrepancy;
+  covariance.diagonal() += measured;
   const Whitener whitener(covariance);
   found.discrepancy = discrepancy * whitener.solve(channel.recorded - found.simulation);
   found.discrepancy_variance =

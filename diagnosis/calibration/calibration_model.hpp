@@ -5,8 +5,8 @@
 //   recorded(z) = eta(z, theta) + delta(z) + epsilon(z)
 //
 //   eta      simulation: mean(z) + shapes(z) w(theta), scores w normal with the emulator's mean and variance
-//   and
-//            the numerical scatter of runs, the same in all soundings; what the shapes leave out is white
+//            and the numerical scatter of runs, the same in all soundings; what the shapes leave out is
+//            correlated over depth as in the runs, of each sounding for itself
 //   delta    discrepancy: a Gaussian process over depth of each sounding (Matern 3/2), its standard deviation
 //            half-normal a priori
 //   epsilon  measurement: white, of a standard deviation that is given or half-normal a priori
@@ -48,7 +48,7 @@ struct CalibrationChannel {
   VectorXd recorded;  ///< on the scale
   VectorXd mean;      ///< of the runs, on the scale
   MatrixXd shapes;    ///< cells x components
-  VectorXd left_out;  ///< variance that the shapes leave out
+  MatrixXd left_out;  ///< covariance of what the shapes leave out, of which that within a sounding is used
   std::function<ScorePrediction(const Eigen::RowVectorXd& place)> scores;
   double discrepancy = 0.05;  // [-] scale of its prior, relative
   double length = 0.1;        // [m] its correlation length
@@ -116,6 +116,7 @@ class CalibrationModel {
     Index first, count;
     int sounding;
     MatrixXd correlation;  // of the discrepancy, times the units of both cells
+    MatrixXd left_out;     // covariance of what the shapes leave out
   };
   [[nodiscard]] double channel_likelihood(std::size_t channel, const Eigen::RowVectorXd& place,
                                           const VectorXd& values) const;

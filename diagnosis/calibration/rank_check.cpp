@@ -1,15 +1,14 @@
 #include "diagnosis/calibration/rank_check.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
-#include <exception>
 #include <mutex>
 #include <stdexcept>
-#include <thread>
 #include <utility>
+
+#include "diagnosis/calibration/in_parallel.hpp"
 
 namespace cpt::diagnosis {
 namespace {
@@ -93,35 +92,18 @@ RankCheck rank_check(const CalibrationModel& model, const std::vector<RankCase>&
   check.converged.assign(cases.size(), false);
   for (const RankCase& one : cases) check.cases.push_back(one.name);
 
-  std::atomic<Index> next = 0;
   std::mutex mutex;  // of what the threads write
   Index done = 0;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    try {
-      for (Index i = next++; i < count; i = next++) {
-        const RankedCase ranked = ranked_case(model, cases[static_cast<std::size_t>(i)], check.draws, options,
-                                              seed, static_cast<std::uint64_t>(i));
-        const std::scoped_lock lock(mutex);
-        check.ranks.row(i) = ranked.ranks.transpose();
-        check.truths.row(i) = ranked.truth.transpose();
-        check.converged[static_cast<std::size_t>(i)] = ranked.converged;
-        ++done;
-        if (told) told(done);
-      }
-    } catch (...) {
-      const std::scoped_lock lock(mutex);
-      failure = std::current_exception();
-      next = count;
-    }
-  };
-  {
-    const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    std::vector<std::jthread> workers;
-    for (int k = 1; k < (threads > 0 ? threads : cores); ++k) workers.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
+  in_parallel(count, threads, [&](Index i) {
+    const RankedCase ranked = ranked_case(model, cases[static_cast<std::size_t>(i)], check.draws, options,
+                                          seed, static_cast<std::uint64_t>(i));
+    const std::scoped_lock lock(mutex);
+    check.ranks.row(i) = ranked.ranks.transpose();
+    check.truths.row(i) = ranked.truth.transpose();
+    check.converged[static_cast<std::size_t>(i)] = ranked.converged;
+    ++done;
+    if (told) told(done);
+  });
   return check;
 }
 

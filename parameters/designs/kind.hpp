@@ -30,7 +30,7 @@ struct DesignKind {
   bool samples = false;
   /// Its rows may be correlated; its numbers do not take them for independent.
   bool dependent = false;
-  /// Draws the seeds of random fields; else every run has that of the baseline.
+  /// Draws the seeds of random fields and the shift of material points; else every run has the baseline's.
   bool draws_fields = false;
   /// Knows the keys `sampling` and `until`.
   bool propagates = false;

@@ -17,7 +17,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr const char* format_name = "emulator 1";
+constexpr const char* format_name = "emulator 2";
 
 std::string numbered(std::size_t i) { return fmt::format("{:04}", i + 1); }
 
@@ -94,6 +94,7 @@ void put_output(const Hdf5Group& group, const EmulatedOutput& output) {
   group.put_array("depth_m", flat(output.depth_m), "m");
   group.put_array("mean", flat(emulator.components().mean));
   group.put_array("left_out_variance", flat(emulator.components().left_out));
+  group.put_array("left_out_correlation", flat(emulator.components().left_out_correlation));
   group.put_array("shapes", flat(emulator.components().shapes));
   const Hdf5Group components = group.add_group("components");
   for (std::size_t c = 0; c < emulator.processes().size(); ++c) {
@@ -120,6 +121,7 @@ EmulatedOutput output_in(const Hdf5Group& group, const MatrixXd& design) {
   PrincipalComponents components;
   components.mean = vector_in(group, "mean");
   components.left_out = vector_in(group, "left_out_variance");
+  components.left_out_correlation = vector_in(group, "left_out_correlation");
   components.shapes =
       matrix_in(group, "shapes", components.mean.size(), static_cast<Index>(processes.size()));
   VectorXd depth = vector_in(group, "depth_m");
@@ -166,7 +168,8 @@ void put_emulator(const Hdf5Group& root, const Emulator& emulator) {
 }
 
 Emulator emulator_in(const Hdf5Group& root) {
-  if (root.text("format") != format_name) throw Error("no emulator of a kind that this program reads");
+  if (root.text("format") != format_name)
+    throw Error("no emulator of a kind that this program reads; campaign emulate STUDY makes it anew");
   Emulator emulator;
   emulator.study = root.text("study");
   emulator.solver_version = root.text("solver_version");

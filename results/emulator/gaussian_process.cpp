@@ -219,6 +219,16 @@ VectorXd GaussianProcess::mean_variance(const MatrixXd& points) const {
   return variance_ * (1.0 - explained + by_trend).cwiseMax(0.0).matrix();
 }
 
+GaussianProcess::AtPoint GaussianProcess::at(const Eigen::RowVectorXd& point) const {
+  const VectorXd near = matern_5_2(design_, point, kernel_.lengths);
+  const VectorXd terms = trend_at(point, trend_, squared_).transpose();
+  const VectorXd solved = factor_.triangularView<Eigen::Lower>().solve(near);
+  const VectorXd left = VectorXd(trend_r_.transpose().triangularView<Eigen::Lower>().solve(terms)) -
+                        trend_q_.transpose() * solved;
+  return {terms.dot(coefficients_) + near.dot(weights_),
+          variance_ * std::max(0.0, 1.0 - solved.squaredNorm() + left.squaredNorm())};
+}
+
 MatrixXd GaussianProcess::mean_covariance(const MatrixXd& a, const MatrixXd& b) const {
   // Solved for `b` alone, so that many points of `a` cost their covariances with the runs.
   const Border at_b = border(b);

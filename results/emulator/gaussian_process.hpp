@@ -60,6 +60,12 @@ class GaussianProcess {
   /// Of the means at `a` (rows) and at `b` (columns) with each other.
   [[nodiscard]] Eigen::MatrixXd mean_covariance(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const;
 
+  /// Mean and its variance at one point, inputs in a row; the fast way where points come one by one.
+  struct AtPoint {
+    double mean, variance;
+  };
+  [[nodiscard]] AtPoint at(const Eigen::RowVectorXd& point) const;
+
   // Of the runs that have noise, predicted from all others with the same kernel and variance.
   [[nodiscard]] const Eigen::VectorXd& left_out_errors() const {
     return left_out_errors_;

@@ -46,9 +46,10 @@ OutputEmulator::OutputEmulator(PrincipalComponents components, std::vector<Gauss
   if (processes_.empty()) throw std::invalid_argument("the output does not vary");
   if (components_.shapes.cols() != static_cast<Index>(processes_.size()) ||
       components_.shapes.rows() != components_.mean.size() ||
-      components_.left_out.size() != components_.mean.size() || !components_.mean.allFinite() ||
+      components_.left_out.size() != components_.mean.size() ||
+      components_.left_out_correlation.size() != components_.mean.size() || !components_.mean.allFinite() ||
       !components_.shapes.allFinite() || !components_.left_out.allFinite() ||
-      !(components_.left_out.array() >= 0.0).all())
+      !components_.left_out_correlation.allFinite() || !(components_.left_out.array() >= 0.0).all())
     throw std::invalid_argument("components and processes do not agree");
   for (const GaussianProcess& process : processes_)
     if (process.inputs() != inputs() || process.runs() != processes_.front().runs())
@@ -67,6 +68,17 @@ MatrixXd OutputEmulator::score_variances(const MatrixXd& points) const {
   for (Index c = 0; c < variances.rows(); ++c)
     variances.row(c) = processes_[static_cast<std::size_t>(c)].mean_variance(points).transpose();
   return variances;
+}
+
+OutputEmulator::ScoresAtPoint OutputEmulator::scores_at(const Eigen::RowVectorXd& point) const {
+  ScoresAtPoint found{VectorXd(components_.shapes.cols()), VectorXd(components_.shapes.cols())};
+  for (Index c = 0; c < found.mean.size(); ++c) {
+    const GaussianProcess& process = processes_[static_cast<std::size_t>(c)];
+    const GaussianProcess::AtPoint here = process.at(point);
+    found.mean(c) = here.mean;
+    found.variance(c) = here.variance + process.noise();
+  }
+  return found;
 }
 
 VectorXd OutputEmulator::noise() const {

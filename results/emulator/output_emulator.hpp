@@ -51,6 +51,11 @@ class OutputEmulator {
   // Before exp() where it is logarithmic; the components are independent of each other.
   [[nodiscard]] Eigen::MatrixXd score_means(const Eigen::MatrixXd& points) const;  ///< components x points
   [[nodiscard]] Eigen::MatrixXd score_variances(const Eigen::MatrixXd& points) const;  ///< the same, no noise
+  /// Of one point each component's mean, and its variance with the scatter of runs.
+  struct ScoresAtPoint {
+    Eigen::VectorXd mean, variance;
+  };
+  [[nodiscard]] ScoresAtPoint scores_at(const Eigen::RowVectorXd& point) const;
   [[nodiscard]] Eigen::VectorXd noise() const;  ///< variance of a run's own noise at each value
 
   /// 1 - squared errors over squared deviations from the mean, in the output's unit, each run predicted from

@@ -84,7 +84,7 @@ class Trainer {
   Trainer(const Study& study, const Snapshot& campaign)
       : campaign_(campaign), rows_(rows_that_vary(study)), by_run_(inputs_by_run(campaign)) {
     for (const Row& row : study.rows)
-      if (row.only_drawn()) fields_.insert(row.quantity->name);
+      if (row.only_drawn()) drawn_.insert(row.quantity->name);
     made_.study = campaign.campaign.name;
     made_.solver_version = campaign.campaign.solver_version;
     made_.windows = windows_text(campaign);
@@ -108,13 +108,13 @@ class Trainer {
   }
 
  private:
-  // Whether all that is no input is as in the baseline, but for random fields, which are noise to an
-  // emulator.
+  // Whether all that is no input is as in the baseline, but for random fields and shifted
+  // points, which are noise to an emulator.
   [[nodiscard]] bool others_are_at_baseline(const Values& values) const {
     const Values& baseline = by_run_.at(1);
     return std::ranges::all_of(values, [&](const auto& entry) {
       return std::ranges::find(made_.inputs, entry.first, &EmulatorInput::name) != made_.inputs.end() ||
-             fields_.contains(entry.first) || !baseline.contains(entry.first) ||
+             drawn_.contains(entry.first) || !baseline.contains(entry.first) ||
              baseline.at(entry.first) == entry.second;
     });
   }
@@ -250,7 +250,7 @@ class Trainer {
     add(std::move(output));
   }
 
-  std::set<std::string> fields_;  // seeds that runs draw
+  std::set<std::string> drawn_;  // seeds and shifts that runs draw
   const Snapshot& campaign_;
   std::vector<const Row*> rows_;
   std::map<int, Values> by_run_;

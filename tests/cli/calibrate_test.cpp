@@ -127,7 +127,7 @@ TEST_F(Calibrate, WhatCannotBeIsToldAndNothingIsWritten) {
   };
   for (const Case& bad : {Case{with("to_m = 0.18", "to_m = 0.5"), "c.toml:6:8: error: soundings.to_m", 2},
                           Case{with("\"a.csv\"", "\"none.csv\""), "none.csv", 2},
-                          Case{with("q_c_MPa", "q_c_GPa"), "q_c_GPa", 2},
+                          Case{with("q_c_MPa", "q_c_GPa"), "mind the unit of q_c", 2},
                           Case{with("study = \"sand.toml\"", "study = \"sand.toml\"\nchannels = [\"f_s\"]"),
                                "no channel is left", 2}}) {
     folder.write("c.toml", bad.request);

@@ -51,6 +51,50 @@ TEST(Field, SetsItsPartsAndDrawsItsSeedInEveryRunOfAPropagation) {
   EXPECT_EQ(seeds.size(), 20U);
 }
 
+TEST(ShiftPoints, EveryRunOfAPropagationDrawsItsOwn) {
+  const std::string one = "\"clay.G_kPa\" = { lower = 500, upper = 600 }\n";
+  const auto read = parsed(one, "[design]\nkind = \"propagation\"\nruns = 20\nshift_points = true\n");
+  ASSERT_TRUE(std::holds_alternative<Study>(read)) << format(std::get<std::vector<StudyError>>(read));
+  const Study& study = std::get<Study>(read);
+  const auto realizations = all_realizations(study);
+  ASSERT_EQ(realizations.size(), 1U + 2U + 20U);
+  std::set<double> shifts;
+  for (const Realization& realization : realizations) {
+    const double shift = value_of(study, realization, "numerics.point_shift");
+    if (realization.point < 0)
+      EXPECT_EQ(shift, 0.0);
+    else
+      shifts.insert(shift);
+  }
+  EXPECT_EQ(shifts.size(), 20U);
+  EXPECT_GE(*shifts.begin(), -0.5);
+  EXPECT_LT(*shifts.begin(), -0.4);
+  EXPECT_LE(*shifts.rbegin(), 0.5);
+  EXPECT_GT(*shifts.rbegin(), 0.4);
+  // Without it none.
+  const auto without = parsed(one, "[design]\nkind = \"propagation\"\nruns = 20\nshift_points = false\n");
+  ASSERT_TRUE(std::holds_alternative<Study>(without));
+  EXPECT_EQ(std::get<Study>(without).rows.size(), 1U);
+}
+
+TEST(ShiftPoints, IsRefusedWhereItMeansNothing) {
+  const auto message = [](const std::string& rows, const std::string& design) {
+    const auto read = parsed(rows, design);
+    return std::holds_alternative<Study>(read) ? "" : format(std::get<std::vector<StudyError>>(read));
+  };
+  const std::string one = "\"clay.G_kPa\" = { lower = 500, upper = 600 }\n";
+  EXPECT_NE(message(one, "[design]\nkind = \"morris\"\nshift_points = true\n")
+                .find("design.shift_points: means nothing to morris; it belongs to"),
+            std::string::npos);
+  EXPECT_NE(message(one, "[design]\nkind = \"propagation\"\nshift_points = 1\n")
+                .find("design.shift_points: must be true or false, not"),
+            std::string::npos);
+  EXPECT_NE(message(one + "\"numerics.point_shift\" = { lower = -0.4, upper = 0.4 }\n",
+                    "[design]\nkind = \"propagation\"\nshift_points = true\n")
+                .find("numerics.point_shift is a row of [parameters]"),
+            std::string::npos);
+}
+
 TEST(Field, StaysThatOfTheBaselineWhereADesignDrawsNothing) {
   const auto read = parsed(row + "\"contact.adhesion_ratio\" = { lower = 0.3, upper = 0.7 }\n",
                            "[design]\nkind = \"morris\"\ntrajectories = 2\n");

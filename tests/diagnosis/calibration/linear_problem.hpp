@@ -28,7 +28,7 @@ inline CalibrationProblem linear_problem(double discrepancy, double noise) {
   }
   channel.mean = VectorXd::Constant(n, 3.0);
   channel.recorded = channel.mean;
-  channel.left_out = VectorXd::Constant(n, 1e-5);
+  channel.left_out = 1e-5 * MatrixXd::Identity(n, n);
   channel.scores = [](const Eigen::RowVectorXd& place) {
     return ScorePrediction{linear_effects * place.transpose(), VectorXd::Constant(2, linear_variance)};
   };

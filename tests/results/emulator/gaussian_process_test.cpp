@@ -89,6 +89,11 @@ TEST(GaussianProcess, IsTheSolutionOfTheBorderedSystem) {
       process.variance() * (matern_5_2(points, points, lengths) - right.transpose() * inverse * right);
   EXPECT_LT((process.mean_covariance(points, points) - covariance).norm(), 1e-8 * covariance.norm());
   EXPECT_LT((process.mean_variance(points) - covariance.diagonal()).norm(), 1e-8 * covariance.norm());
+  for (Index k = 0; k < points.rows(); ++k) {
+    const GaussianProcess::AtPoint one = process.at(points.row(k));
+    EXPECT_NEAR(one.mean, process.mean(points)(k), 1e-10);
+    EXPECT_NEAR(one.variance, covariance(k, k), 1e-8 * covariance.norm());
+  }
   const VectorXd errors = weights.head(25).cwiseQuotient(inverse.diagonal().head(25));
   EXPECT_LT((process.left_out_errors() - errors).norm(), 1e-9);
 }

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
+#include <random>
 
 #include "results/emulator/validation.hpp"
 #include "tests/results/emulator/test_functions.hpp"
@@ -45,6 +47,28 @@ TEST(PrincipalComponents, TellWhatTheyLeaveOut) {
   const MatrixXd rest = made - ((one.shapes * scores(one, made)).colwise() + one.mean);
   EXPECT_NEAR(one.left_out.sum(), rest.squaredNorm() / 30.0, 1e-12);
   EXPECT_EQ(principal_components(MatrixXd::Constant(5, 4, 2.0), 1e-4, 8).shapes.cols(), 0);
+}
+
+TEST(PrincipalComponents, TellHowWhatTheyLeaveOutGoesWithDepth) {
+  // One shape, and beside it at each value the mean of three neighbours of white noise: correlations 2/3, 1/3
+  // and nothing beyond.
+  constexpr Index values = 200, runs = 300;
+  std::mt19937 draw(7);
+  std::normal_distribution<double> normal(0.0, std::sqrt(3.0));
+  MatrixXd noise(values + 3, runs);
+  for (double& value : noise.reshaped()) value = normal(draw);
+  MatrixXd made = MatrixXd::Ones(values, 1) * (100.0 * noise.bottomRows(1));
+  for (Index k = 0; k < 3; ++k) made += noise.middleRows(k, values) / 3.0;
+  const PrincipalComponents found = principal_components(made, 0.0, 1);
+  EXPECT_NEAR(found.left_out.mean(), 1.0, 0.05);
+  EXPECT_DOUBLE_EQ(found.left_out_correlation(0), 1.0);
+  EXPECT_NEAR(found.left_out_correlation(1), 2.0 / 3.0, 0.02);
+  EXPECT_NEAR(found.left_out_correlation(2), 1.0 / 3.0, 0.02);
+  EXPECT_NEAR(found.left_out_correlation(10), 0.0, 0.02);
+  const MatrixXd covariance = left_out_covariance(found);
+  EXPECT_DOUBLE_EQ(covariance(7, 7), found.left_out(7));
+  EXPECT_NEAR(covariance(7, 8), 2.0 / 3.0, 0.1);
+  EXPECT_GE(Eigen::SelfAdjointEigenSolver<MatrixXd>(covariance).eigenvalues().minCoeff(), -1e-12);
 }
 
 TEST(OutputEmulator, PredictsANumber) {
