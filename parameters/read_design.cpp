@@ -290,19 +290,17 @@ class DesignReader {
 
 }  // namespace
 
-std::optional<Row> drawn_shift(const Value& root, const std::vector<Row>& rows, const solver::Setup& setup,
-                               ErrorList& errors) {
+void add_drawn_shift(const Value& root, const solver::Setup& setup, std::vector<Row>& rows,
+                     ErrorList& errors) {
   const Member* design = root.find("design");
-  if (design == nullptr || design->value.kind != Value::Kind::table || setup.program) return std::nullopt;
-  if (!flag_field(design->value, "design", "shift_points", errors).value_or(false)) return std::nullopt;
+  if (design == nullptr || design->value.kind != Value::Kind::table) return;
+  if (!flag_field(design->value, "design", "shift_points", errors).value_or(false)) return;
   const solver::Quantity& shift = *solver::find_quantity("numerics.point_shift");
-  if (std::ranges::find(rows, &shift, &Row::quantity) != rows.end()) {
-    errors.add(design->value.find("shift_points")->value.place, "design.shift_points",
-               "numerics.point_shift is a row of [parameters]", "leave out one of the two");
-    return std::nullopt;
-  }
+  if (std::ranges::find(rows, &shift, &Row::quantity) != rows.end())
+    return errors.add(design->value.find("shift_points")->value.place, "design.shift_points",
+                      "numerics.point_shift is a row of [parameters]", "leave out one of the two");
   const double baseline = shift.value(setup);
-  return Row{&shift, baseline, baseline, baseline, std::make_shared<PointShift>()};
+  rows.push_back({&shift, baseline, baseline, baseline, std::make_shared<PointShift>()});
 }
 
 Design read_design(const Value& root, const std::vector<Row>& rows, const solver::Setup& setup,

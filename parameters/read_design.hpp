@@ -7,10 +7,10 @@
 
 namespace cpt::parameters {
 
-/// The row that `shift_points` adds to those of the study: the material points' shift, which every run of the
-/// design draws. Nothing without the key, and after an error, which the section's reader tells.
-[[nodiscard]] std::optional<Row> drawn_shift(const Value& root, const std::vector<Row>& rows,
-                                             const solver::Setup& setup, ErrorList& errors);
+/// Adds the row of `shift_points` to those of the study: the material points' shift, which every run of the
+/// design draws. None without the key, and after an error.
+void add_drawn_shift(const Value& root, const solver::Setup& setup, std::vector<Row>& rows,
+                     ErrorList& errors);
 
 /// Reads the section; one_at_a_time without it and after an error. Its points are not made yet.
 /// `setup` has the soils of the study.

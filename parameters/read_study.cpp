@@ -48,7 +48,6 @@ class StudyReader {
     const bool own_layers = !own.layers.empty() || (root_.find("layers") != nullptr && doubts_.depths);
     places_.layers = own.places;
     read_zones();
-
     if (own_layers) study_.baseline.layers = own.layers;
     doubts_.layers = doubts_.layers || (!profile_known && !own_layers);
     QuantitySections sections = read_quantities(root_, study_.baseline, doubts_, errors_);
@@ -56,8 +55,7 @@ class StudyReader {
       setting.quantity->set_value(study_.baseline, setting.value);
     for (const PlacedRow& placed : sections.rows) study_.rows.push_back(placed.row);
     if (own_layers) study_.baseline.layers = own.layers;  // setting the soil's height moves the last layer
-    if (auto shift = drawn_shift(root_, study_.rows, study_.baseline, errors_))
-      study_.rows.push_back(std::move(*shift));
+    add_drawn_shift(root_, study_.baseline, study_.rows, errors_);
     check_height(own, profile_known, sections);
 
     read_points();

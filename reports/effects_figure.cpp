@@ -50,6 +50,16 @@ Drawn drawn_of(std::string_view design, const Rich& average, const Rich& axis) {
         "Bars: mean size μ* of the elementary effects, from lower to upper bound, with its 95 % interval; "
         "circles: their standard deviation σ, large where the effect is not linear or depends on other "
         "inputs."};
+  if (design == "propagation")
+    return {
+        "shapley",
+        "first_order",
+        plain("share of the variance of ") + average + plain(" (–)"),
+        plain("Shapley effect, 95 % interval"),
+        plain("taken off the variance where the input is known (first order)"),
+        "Bars: Shapley effect, the share of the variance that an input accounts for, with its 95 % interval; "
+        "all add up to one, correlated or not. Circles: what knowing the input alone takes off the variance, "
+        "with all that goes along with it (first order)."};
   return {"total_order",
           "first_order",
           plain("share of the variance of ") + average + plain(" (–)"),
@@ -124,11 +134,12 @@ void draw_effect(Svg& svg, const Axis& axis, const EffectBar& bar, double y) {
     bar_rows::draw_whisker(svg, axis(row.lower), axis(row.upper), y);
     end = std::max(end, axis(row.upper));
   }
-  if (std::isfinite(bar.circle.value)) {
-    draw_circle(svg, axis(bar.circle.value), y);
-    end = std::max(end, axis(bar.circle.value) + 2.4);
-  }
   const std::string text = row.unit == "-" ? decimals(row.value, 3) : number(row.value, 3);
+  if (std::isfinite(bar.circle.value)) {
+    const double circle = axis(bar.circle.value), room = 10.0 + width(plain(text), bar_rows::value_size);
+    draw_circle(svg, circle, y);
+    if (circle < end + room) end = std::max(end, circle + 2.4);  // else the number stands before it
+  }
   svg.text({end + 3.0, base}, plain(text), {.size = bar_rows::value_size, .halo = true});
 }
 
@@ -150,7 +161,9 @@ std::string remark(const Effects& effects, const std::string& window, const std:
   std::string text;
   for (const EffectRow& row : effects.rows)
     if (row.window == window && row.quantity == "Q2" && std::isfinite(row.value))
-      text = fmt::format("polynomial chaos, Q2 = {}", decimals(row.value, 3));
+      text = fmt::format("{}, Q2 = {}",
+                         effects.design == "propagation" ? "sparse polynomial" : "polynomial chaos",
+                         decimals(row.value, 3));
   const std::string& note = bars.front().row.note;
   return text + (text.empty() || note.empty() ? "" : "; ") + note;
 }
@@ -169,9 +182,6 @@ FlowLegend effects_legend(const Drawn& drawn) {
 }  // namespace
 
 std::string effects_legend_words(std::string_view design) {
-  if (design == "propagation")
-    return "Line: share of the runs with an average of at most so much; circles: quantiles with their 95 % "
-           "intervals.";
   return std::string(drawn_of(design, {}, {}).words);
 }
 

@@ -62,6 +62,7 @@ std::vector<NamedFigure> window_figures(const results::Snapshot& campaign, const
                               : window.is_scalar()
                                   ? window.output
                                   : fmt::format("the average {} in window {}", window.output, window.name);
+  const bool propagation = effects.design == "propagation";
   return {
       {"tornado_" + part,
        fmt::format(
@@ -76,11 +77,16 @@ std::vector<NamedFigure> window_figures(const results::Snapshot& campaign, const
        sensitivity_figure(campaign, window, place)},
       {"effects_" + part,
        fmt::format("What the design {} says of window {}. {}", design, window.name,
-                   effects_legend_words(effects.design)),
-       effects.design == "propagation" ? propagation_figure(campaign, effects, window, place)
-                                       : effects_figure(campaign, effects, window, place)},
+                   propagation ? "Line: share of the runs with an average of at most so much; circles: "
+                                 "quantiles with their 95 % intervals."
+                               : effects_legend_words(effects.design)),
+       propagation ? propagation_figure(campaign, effects, window, place)
+                   : effects_figure(campaign, effects, window, place)},
+      {"shapley_" + part,
+       fmt::format("Where the variance of {} comes from. {}", average, effects_legend_words(effects.design)),
+       propagation ? effects_figure(campaign, effects, window, place) : std::nullopt},
       {"convergence_" + part,
-       effects.design == "propagation"
+       propagation
            ? fmt::format("Mean, 5 and 95 % quantile of {} as the first runs alone have them, with 95 % "
                          "intervals.",
                          average)
@@ -89,8 +95,8 @@ std::vector<NamedFigure> window_figures(const results::Snapshot& campaign, const
                  "largest inputs, each with its 95 % interval (cut off at the frame), over the runs that "
                  "they come from.",
                  design, window.name),
-       effects.design == "propagation" ? propagation_convergence_figure(campaign, effects, window, place)
-                                       : index_convergence_figure(campaign, effects, window, place)}};
+       propagation ? propagation_convergence_figure(campaign, effects, window, place)
+                   : index_convergence_figure(campaign, effects, window, place)}};
 }
 
 std::vector<NamedFigure> band_figures(const results::Snapshot& campaign, const results::Effects& effects,

@@ -18,7 +18,9 @@
 #include "parameters/designs/pairs.hpp"
 #include "parameters/designs/polynomial_chaos.hpp"
 #include "parameters/designs/propagation.hpp"
+#include "parameters/designs/shapley.hpp"
 #include "parameters/designs/sobol.hpp"
+#include "parameters/designs/value_of_score.hpp"
 #include "results/statistics/repeat_noise.hpp"
 #include "tests/parameters/designs/functions.hpp"
 
@@ -180,6 +182,36 @@ void add_propagation(std::vector<Case>& cases, int runs, bool lognormal, bool la
        }});
 }
 
+// Three correlated normal inputs, 0.4 z1 + 0.4 z2 + 0.2 z3 or its exponential, with noise of a tenth of the
+// deviation that no polynomial explains and that is not part of the truth.
+void add_shapley(std::vector<Case>& cases, int runs, bool exponential) {
+  const VectorXd shares = parameters::correlated_shares(exponential),
+                 effects = parameters::shapley_effects(3, shares);
+  std::vector<Known> numbers;
+  for (Index i = 0; i < 3; ++i) numbers.push_back({fmt::format("Sh{}", i + 1), effects(i)});
+  for (Index i = 0; i < 3; ++i) numbers.push_back({fmt::format("S{}", i + 1), shares(Index{1} << i)});
+  for (Index i = 0; i < 3; ++i)
+    numbers.push_back({fmt::format("T{}", i + 1), 1.0 - shares(7 - (Index{1} << i))});
+  cases.push_back(
+      {fmt::format("propagation Shapley, {} runs", runs),
+       exponential ? "exp of correlated normal inputs, noise" : "sum of correlated normal inputs, noise",
+       numbers, [=](std::uint64_t seed) {
+         constexpr double most_score = 4.0;
+         const MatrixXd correlation = parameters::correlated_inputs();
+         const MatrixXd independent =
+             parameters::propagation_places(4, runs, seed).unaryExpr(&parameters::score_of_probability);
+         const MatrixXd scores = independent.leftCols(3) * MatrixXd(correlation.llt().matrixL()).transpose();
+         VectorXd y = scores * parameters::correlated_slope;
+         if (exponential) y = y.array().exp();
+         y += 0.1 * parameters::sample_deviation(y) * independent.col(3);
+         const std::vector<parameters::ScoredInput> inputs(
+             3, {0, [](double score) { return 0.5 + 0.5 * score / most_score; }});
+         const auto found = parameters::shapley_indices((0.5 + 0.5 * scores.array() / most_score).matrix(), y,
+                                                        inputs, correlation, seed);
+         return joined(joined(found.shapley, found.first), found.total);
+       }});
+}
+
 // A dear model of three standard normal inputs, 10 + a + 0.6 b + 0.2 c, and a cheap one that knows two of
 // them.
 void add_multifidelity(std::vector<Case>& cases, int dear, int cheap) {
@@ -221,6 +253,8 @@ std::vector<Case> all_cases() {
   for (const bool latin : {false, true})
     for (const bool lognormal : {false, true})
       for (const int runs : {100, 200}) add_propagation(cases, runs, lognormal, latin);
+  for (const bool exponential : {false, true})
+    for (const int runs : {60, 200}) add_shapley(cases, runs, exponential);
   for (const int dear : {20, 40, 100}) add_multifidelity(cases, dear, 800);
   return cases;
 }

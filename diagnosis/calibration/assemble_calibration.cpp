@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "diagnosis/median.hpp"
 #include "parameters/all_realizations.hpp"
 #include "parameters/designs/design.hpp"
+#include "parameters/designs/value_of_score.hpp"
 #include "parameters/distributions/copula.hpp"
 #include "results/tables/count_of.hpp"
 
@@ -21,34 +21,6 @@ namespace {
 
 constexpr double kPa = 1.0e3;  // [Pa]
 constexpr std::size_t least_cells = 10;
-
-double probability_of(double score) { return 0.5 * std::erfc(-score / std::numbers::sqrt2); }
-
-// A row's values at equally spaced normal scores, linear between; of one that takes some values only the
-// nearest. OpenTURNS, which knows the quantiles, is slower than a whole likelihood, and none to be asked by
-// several threads.
-class ValueOfScore {
- public:
-  explicit ValueOfScore(const parameters::Row& row) {
-    for (Index k = 0; k <= 2 * half; ++k)
-      values_.push_back(
-          parameters::value_of_probability(row, probability_of(static_cast<double>(k - half) * step)));
-    const auto middle = values_.begin() + half;
-    steps_ = std::adjacent_find(middle - half / 2, middle + half / 2) != middle + half / 2;
-  }
-  double operator()(double score) const {
-    const double place = std::clamp(score / step + half, 0.0, 2.0 * half);
-    const auto below = static_cast<std::size_t>(steps_ ? std::round(place) : std::floor(place));
-    if (steps_ || below + 1 >= values_.size()) return values_[below];
-    return std::lerp(values_[below], values_[below + 1], place - static_cast<double>(below));
-  }
-
- private:
-  static constexpr Index half = 1200;
-  static constexpr double step = 0.005;  // to scores of 6: one in a thousand million
-  std::vector<double> values_;
-  bool steps_ = false;
-};
 
 const parameters::Row& row_named(const parameters::Study& study, const std::string& name) {
   for (const parameters::Row& row : study.rows)
@@ -226,7 +198,7 @@ CalibrationProblem prior_of(const parameters::Study& study, const results::Emula
   for (const results::EmulatorInput& input : emulator.inputs) {
     const parameters::Row& row = row_named(study, input.name);
     rows.push_back(&row);
-    problem.inputs.push_back({input.name, input.unit, ValueOfScore(row),
+    problem.inputs.push_back({input.name, input.unit, parameters::ValueOfScore(row),
                               [&input](double value) { return input.place(value); }, input.lower,
                               input.upper});
   }

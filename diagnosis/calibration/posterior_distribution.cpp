@@ -9,6 +9,7 @@
 #include <map>
 #include <vector>
 
+#include "parameters/distributions/copula.hpp"
 #include "parameters/distributions/moments.hpp"
 
 namespace cpt::diagnosis {
@@ -73,6 +74,16 @@ FittedDistribution fitted_distribution(const VectorXd& draws, double least, doub
   }
   fitted.apart = nearest;
   return fitted;
+}
+
+Eigen::MatrixXd copula_rank_correlations(const Eigen::MatrixXd& found) {
+  const auto rounded = [](double rho) { return std::round(100.0 * std::clamp(rho, -0.99, 0.99)) / 100.0; };
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Identity(found.rows(), found.cols());
+  for (Eigen::Index a = 0; a < found.rows(); ++a)
+    for (Eigen::Index b = 0; b < a; ++b)
+      scores(a, b) = scores(b, a) = parameters::score_correlation(rounded(found(a, b)));
+  if (!parameters::positive_definite(scores)) scores = parameters::nearest_correlation(scores);
+  return scores.unaryExpr([](double score) { return parameters::rank_correlation(score); });
 }
 
 }  // namespace cpt::diagnosis

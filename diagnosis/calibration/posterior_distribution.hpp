@@ -22,4 +22,8 @@ struct FittedDistribution {
 [[nodiscard]] FittedDistribution fitted_distribution(const Eigen::VectorXd& draws, double least, double most,
                                                      bool discrete);
 
+/// Spearman's correlations to two digits that a Gaussian copula can have: the nearest where those found are
+/// none.
+[[nodiscard]] Eigen::MatrixXd copula_rank_correlations(const Eigen::MatrixXd& found);
+
 }  // namespace cpt::diagnosis

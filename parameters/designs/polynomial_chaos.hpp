@@ -28,14 +28,7 @@ constexpr double least_q2 = 0.8;
 /// Fits y, NaN where there is no result, over `places` in the unit cube (runs x parameters), as they were
 /// run: columns are uniform, or take as many values as `values` says (0: uniform; orthonormal.hpp).
 ///
-/// Candidates: products of polynomials that are orthonormal over these places (Legendre's; 1 and -1 for a
-/// choice), with hyperbolic truncation (sum of degree^0.75)^(1/0.75) <= p; p from 1 to 20 as long as there
-/// are no more than two candidates a run. Of each p the terms that orthogonal matching pursuit takes one
-/// after the other (Pati, Rezaiifar & Krishnaprasad 1993, 27th Asilomar Conference, 40-44; Luethen, Marelli &
-/// Sudret 2021, SIAM/ASA J. Uncertainty Quantification 9, 593-649), as long as there are two runs a term and
-/// 100 terms at most; of all these expansions the best by the analytic leave-one-out error with its
-/// correction for small samples (Blatman & Sudret 2011, Journal of Computational Physics 230, 2345-2367; the
-/// correction is that of Chapelle, Vapnik & Bengio 2002).
+/// The expansion is that of sparse_expansion.hpp, the best by its analytic leave-one-out error.
 ///
 /// That error is too small for terms that it chose itself. So the whole is done again without each of ten
 /// folds of the runs: what these expansions miss at the runs left out gives Q2, and how far their indices

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "diagnosis/calibration/posterior_distribution.hpp"
-#include "parameters/distributions/copula.hpp"
 
 namespace cpt::reports::calibrated {
 namespace {
@@ -45,17 +44,6 @@ std::string row_of(const ReportedInput& input, const Eigen::VectorXd& draws) {
       fitted.most, fitted.apart);
 }
 
-// What a Gaussian copula can have, from ranks' correlations to two digits.
-Eigen::MatrixXd rank_correlations(const Eigen::MatrixXd& found) {
-  const auto rounded = [](double rho) { return std::round(100.0 * std::clamp(rho, -0.99, 0.99)) / 100.0; };
-  Eigen::MatrixXd scores = Eigen::MatrixXd::Identity(found.rows(), found.cols());
-  for (Index a = 0; a < found.rows(); ++a)
-    for (Index b = 0; b < a; ++b)
-      scores(a, b) = scores(b, a) = parameters::score_correlation(rounded(found(a, b)));
-  if (!parameters::positive_definite(scores)) scores = parameters::nearest_correlation(scores);
-  return scores.unaryExpr([](double score) { return parameters::rank_correlation(score); });
-}
-
 }  // namespace
 
 std::string posterior_study(const CalibrationReport& report) {
@@ -67,8 +55,9 @@ std::string posterior_study(const CalibrationReport& report) {
       on_one_line(report.title), on_one_line(report.study));
   for (std::size_t j = 0; j < report.inputs.size(); ++j)
     text += row_of(report.inputs[j], report.posterior.draws.col(static_cast<Index>(j)));
-  const Eigen::MatrixXd ranks = rank_correlations(report.posterior.correlation.topLeftCorner(
-      static_cast<Index>(report.inputs.size()), static_cast<Index>(report.inputs.size())));
+  const Eigen::MatrixXd ranks =
+      diagnosis::copula_rank_correlations(report.posterior.correlation.topLeftCorner(
+          static_cast<Index>(report.inputs.size()), static_cast<Index>(report.inputs.size())));
   std::string correlation;
   for (Index a = 0; a < ranks.rows(); ++a) {
     std::vector<std::string> pairs;

@@ -15,7 +15,7 @@ const quantity_words = (row) =>
 /// What holds for all inputs of a window; the notes of pairs are their own.
 function remarks(rows) {
   const fit = rows.find((row) => row.quantity === "Q2");
-  if (fit) return [[`Polynomial chaos, Q² = ${decimals(fit.value, 3)}`, fit.note].filter((words) => words).join("; ")];
+  if (fit) return [[`${data.design === "propagation" ? "Shapley effects of a sparse polynomial" : "Polynomial chaos"}, Q² = ${decimals(fit.value, 3)}`, fit.note].filter((words) => words).join("; ")];
   return data.design === "pairs" ? [] : new Set(rows.map((row) => row.note).filter((note) => note));
 }
 
@@ -29,7 +29,7 @@ function effects() {
     section.append(el("h3", {}, window.name));
     for (const words of remarks(rows))
       section.append(el("p", { class: words.includes("not to be believed") ? "warn" : null }, words));
-    put(section, byId(`effects_${k}`), byId(`convergence_${k}`),
+    put(section, byId(`effects_${k}`), byId(`shapley_${k}`), byId(`convergence_${k}`),
       el("details", {}, el("summary", {}, `Numbers of the design in ${window.name}`),
         table([{ name: "input" }, { name: "quantity" }, { name: "value", numeric: true }, { name: "from (95 %)", numeric: true },
                { name: "to (95 %)", numeric: true }, { name: "unit" }, { name: "runs", numeric: true }, { name: "used", numeric: true },

@@ -70,6 +70,13 @@ function exceeded(row) {
     (known(row.lower) ? ` (95 %: ${percent(row.lower)} to ${percent(row.upper)})` : "");
 }
 
+/// The input that most of the variance comes from.
+function share_of_variance(window) {
+  const first = d3.greatest(effects_in(window, "shapley").filter((row) => known(row.value)), (row) => row.value);
+  if (!first || first.note.includes("not to be believed")) return [];
+  return [" Most of its variance comes from ", rich(label_of_effect(first)), `: a share of ${estimated(first)}.`];
+}
+
 /// What a window's average is worth with distributed inputs.
 function of_propagation(window) {
   const row = (quantity) => effects_in(window, quantity).find((one) => known(one.value));
@@ -79,7 +86,7 @@ function of_propagation(window) {
     `${estimated(deviation)}; nine of ten values lie between ${number(low.value)} and ${number(high.value)}${window.unit}` +
     `${effects_in(window, "exceedance").filter((one) => known(one.value)).map((one) => `; ${exceeded(one)}`).join("")}` +
     `${mean.dropped ? `; ${mean.dropped} runs are missing` : ""}.` +
-    `${data.stopped ? ` By the study's rule, ${data.stopped}.` : ""}`];
+    `${data.stopped ? ` By the study's rule, ${data.stopped}.` : ""}`, ...share_of_variance(window)];
 }
 
 /// What the design adds: its largest bar, as drawn further down.

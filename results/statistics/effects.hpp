@@ -15,7 +15,8 @@ namespace cpt::results {
 struct EffectRow {
   std::string window, parameter;
   std::string other_parameter;  ///< of a pair
-  /// interaction; mu_star, mu, sigma; first_order, total_order, Q2; mean, standard_deviation, quantile_05
+  /// interaction; mu_star, mu, sigma; first_order, total_order, shapley, Q2; mean, standard_deviation,
+  /// quantile_05
   /// ..., exceedance
   std::string quantity;
   std::string unit;  ///< the window's, as "kPa", or "-" for a share of the variance and a probability

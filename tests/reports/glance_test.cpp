@@ -97,6 +97,13 @@ TEST_F(Glance, SaysWhatAPropagationFinds) {
                            shown(row("mean").lower), shown(row("mean").upper)));
   expect(text, fmt::format("nine of ten values lie between {} and {} kPa", shown(row("quantile_05").value),
                            shown(row("quantile_95").value)));
+  const results::EffectRow* most = nullptr;
+  for (const auto& one : effects.rows)
+    if (one.quantity == "shapley" && (most == nullptr || one.value > most->value)) most = &one;
+  ASSERT_NE(most, nullptr);
+  expect(text,
+         fmt::format("Most of its variance comes from {}: a share of {} (95 %: {} to {})",
+                     symbol(most->parameter), shown(most->value), shown(most->lower), shown(most->upper)));
 }
 
 TEST_F(Glance, SaysHowLikelyAThresholdIsExceededAndWhyADesignStopped) {

@@ -187,7 +187,7 @@ TEST_F(EffectsOf, SobolGivesTheSharesWithinItsIntervals) {
 TEST_F(EffectsOf, PropagationTellsWhatTheResultIsWorth) {
   const Effects effects =
       design_effects(run("[design]\nkind = \"propagation\"\nruns = 200\n", {"propagation 3"}));
-  ASSERT_EQ(effects.rows.size(), 7U);
+  ASSERT_EQ(effects.rows.size(), 7U + 3U * 3U + 1U);
   const double nu = 0.04 / 12.0, H = 2500.0 / 12.0;  // variances
   const double variance = 1200.0 * 1200.0 * nu + 10.8 * 10.8 * H + 50.0 * 50.0 / 4.0 + 16.0 * nu * H;
   const auto held = [&](const char* quantity, double truth) {
@@ -206,6 +206,19 @@ TEST_F(EffectsOf, PropagationTellsWhatTheResultIsWorth) {
     EXPECT_GT(row(effects, quantile, "").value, before);
     before = row(effects, quantile, "").value;
   }
+  // Of an interaction each of its two inputs has half.
+  const double both = 16.0 * nu * H / variance;
+  const auto shared = [&](const char* input, double alone, double interaction) {
+    const EffectRow& of = row(effects, "shapley", input);
+    EXPECT_NEAR(of.value, alone / variance + 0.5 * interaction, 0.02) << input;
+    EXPECT_LT(of.upper - of.lower, 0.1) << input;
+    EXPECT_NEAR(row(effects, "first_order", input).value, alone / variance, 0.04) << input;
+    EXPECT_NEAR(row(effects, "total_order", input).value, alone / variance + interaction, 0.04) << input;
+  };
+  shared("sand.nu", 1200.0 * 1200.0 * nu, both);
+  shared("sand.H", 10.8 * 10.8 * H, both);
+  shared("chamber.wall", 50.0 * 50.0 / 4.0, 0.0);
+  EXPECT_GT(row(effects, "Q2", "").value, 0.99);
 }
 
 TEST_F(EffectsOf, PropagationTellsHowOftenAThresholdIsExceeded) {
@@ -301,7 +314,9 @@ TEST_F(EffectsOf, PropagationOfAConstantResultIsItsValue) {
   EXPECT_EQ(effects.runs.size(), 40U);
   EXPECT_NEAR(row(effects, "mean", "").value, 815.15, 1e-9);
   EXPECT_NEAR(row(effects, "standard_deviation", "").value, 0.0, 1e-9);
-  for (const EffectRow& of : effects.rows) EXPECT_EQ(of.note, "");
+  for (const EffectRow& of : effects.rows)
+    EXPECT_EQ(of.note, std::isfinite(of.value) ? "" : "undefined: the result does not vary") << of.quantity;
+  EXPECT_TRUE(std::isnan(row(effects, "Q2", "").value));
 }
 
 // Every design of results that are the same but for their last digits: no number, and the reason.

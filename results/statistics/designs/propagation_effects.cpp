@@ -1,8 +1,15 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "parameters/designs/design.hpp"
 #include "parameters/designs/propagation.hpp"
+#include "parameters/designs/shapley.hpp"
+#include "parameters/designs/value_of_score.hpp"
 #include "results/statistics/window_effects.hpp"
 
 namespace cpt::results {
@@ -33,6 +40,54 @@ constexpr std::array numbers = {
     Number{"quantile_95", 2, percentile<95>},
 };
 
+/// A row of the design and where its values lie in the unit interval that holds all but one in a thousand.
+struct PlacedRow {
+  explicit PlacedRow(const parameters::Row& of) : row(of), value(of) {
+    constexpr double most_score = 3.3;
+    least = value(-most_score);
+    most = value(most_score);
+  }
+  [[nodiscard]] double place(double at) const { return std::clamp((at - least) / (most - least), 0.0, 1.0); }
+
+  const parameters::Row& row;
+  parameters::ValueOfScore value;
+  double least, most;
+};
+
+// Which input the scatter comes from. What every run draws for itself, as the seed of a random field, is
+// noise to this.
+void add_shapley_effects(WindowEffects& w) {
+  const parameters::Study& study = w.study;
+  std::vector<PlacedRow> rows;
+  for (const std::size_t row : study.design.rows)
+    if (!study.rows[row].only_drawn()) rows.emplace_back(study.rows[row]);
+  if (rows.size() < 2) return;
+  const auto inputs = static_cast<Eigen::Index>(rows.size());
+  // What every run draws comes last; a design that stopped has more places than runs.
+  Eigen::MatrixXd places = parameters::design_places(study).topLeftCorner(w.y.size(), inputs);
+  std::vector<parameters::ScoredInput> scored;
+  for (Eigen::Index j = 0; j < inputs; ++j) {
+    const PlacedRow& row = rows[static_cast<std::size_t>(j)];
+    for (double& place : places.col(j)) place = row.place(parameters::value_of_probability(row.row, place));
+    scored.push_back({row.row.marginal ? 0 : parameters::values_of(row.row),
+                      [&row](double score) { return row.place(row.value(score)); }});
+  }
+  const Eigen::MatrixXd correlation =
+      parameters::score_correlations(study.correlations, study.design).topLeftCorner(inputs, inputs);
+  const auto found = parameters::shapley_indices(places, w.y, scored, correlation, study.design.seed);
+  if (w.window.problem.empty() && !found.problem.empty() && !w.constant) w.prepend(found.problem);
+  w.method = "Shapley effects of a sparse polynomial, jackknife over ten folds";
+  w.put_all("shapley", found.shapley, found.used, found.dropped, found.used);
+  w.method = "Kucherenko's indices of a sparse polynomial, jackknife over ten folds";
+  w.put_all("total_order", found.total, found.used, found.dropped, found.used);
+  w.put_all("first_order", found.first, found.used, found.dropped, found.used);
+  std::string note = w.note;
+  if (found.terms > 0)
+    note += fmt::format("{}degree {}, {} terms", note.empty() ? "" : "; ", found.degree, found.terms);
+  w.rows.push_back({w.window.name, "", "", "Q2", "-", found.q2, parameters::undefined, parameters::undefined,
+                    found.used, found.dropped, std::move(note), "ten-fold cross-validation", found.used});
+}
+
 }  // namespace
 
 void add_propagation_effects(WindowEffects& w) {
@@ -52,6 +107,7 @@ void add_propagation_effects(WindowEffects& w) {
         w.rows.push_back({w.window.name, "", "", "exceedance", "-", share.value, share.lower, share.upper,
                           used, dropped, w.remarks, method, used, threshold / kPa});
       }
+  add_shapley_effects(w);
 }
 
 }  // namespace cpt::results
