@@ -13,6 +13,7 @@
 #include "parameters/designs/multifidelity.hpp"
 #include "parameters/designs/propagation.hpp"
 #include "results/files/error.hpp"
+#include "results/statistics/emulated_level.hpp"
 #include "results/statistics/stored_design.hpp"
 #include "results/statistics/window_effects.hpp"
 
@@ -79,13 +80,34 @@ FidelityLevel level_of(const Snapshot& snapshot, const StoredDesign& design) {
   return level;
 }
 
-void add_window(TwoFidelities& both, const std::string& window, const std::string& unit, const Levels& levels,
-                bool latin) {
+// A third level, or none and a warning.
+void add_emulator(TwoFidelities& both, const parameters::Study& cheap, Levels& levels) {
+  FidelityWindow& window = both.windows.back();
+  const EmulatedLevel emulated =
+      emulated_level(cheap, levels[1], std::max<Eigen::Index>(both.emulated_runs, levels[1].size()));
+  window.emulator_q2 = emulated.q2;
+  if (emulated.q2 >= least_emulated_q2) {
+    levels.push_back(emulated.y);
+    window.emulator_correlation = parameters::level_correlation(levels, 2);
+  } else {
+    both.warnings.push_back(
+        std::isnan(emulated.q2)
+            ? fmt::format("{}: too few cheap runs for an emulator; it is left out", window.window)
+            : fmt::format("{}: the emulator of the cheap runs has Q2 = {:.3f} at runs held out, below {}; it "
+                          "is left out",
+                          window.window, emulated.q2, least_emulated_q2));
+  }
+}
+
+void add_window(TwoFidelities& both, const std::string& window, const std::string& unit, Levels levels,
+                const parameters::Study& cheap) {
+  const bool latin = cheap.design.latin;
   const double cost_ratio = both.cheap.seconds_a_run / both.dear.seconds_a_run;
   const double rho = parameters::level_correlation(levels, 1);
   both.windows.push_back({window, static_cast<int>(parameters::paired_runs(levels)), rho,
                           parameters::variance_ratio(rho, cost_ratio),
                           parameters::best_run_ratio(rho, cost_ratio)});
+  if (both.emulated_runs > 0) add_emulator(both, cheap, levels);
   const auto alone = [&](int least, const std::function<double(const Eigen::VectorXd&)>& number) {
     return parameters::by_sections(levels[0], least, number, latin);
   };
@@ -115,10 +137,11 @@ std::vector<std::string> other_signs(const Snapshot& dear, const Snapshot& cheap
 
 }  // namespace
 
-TwoFidelities two_fidelities(const Snapshot& dear, const Snapshot& cheap) {
+TwoFidelities two_fidelities(const Snapshot& dear, const Snapshot& cheap, int emulated_runs) {
   const StoredDesign few = propagation_of(dear), many = propagation_of(cheap);
   require_pairs(dear, few, cheap, many);
-  TwoFidelities both{level_of(dear, few), level_of(cheap, many), {}, {}, other_signs(dear, cheap)};
+  TwoFidelities both{level_of(dear, few),      level_of(cheap, many), {}, {},
+                     other_signs(dear, cheap), emulated_runs};
   if (both.dear.runs == 0 || both.cheap.runs == 0)
     throw Error(fmt::format("{} has no completed run of its design",
                             both.dear.runs == 0 ? both.dear.name : both.cheap.name));
@@ -129,7 +152,7 @@ TwoFidelities two_fidelities(const Snapshot& dear, const Snapshot& cheap) {
     add_window(both, window.name, std::string(window.unit()),
                {WindowEffects(*few.study, dear, window, few.runs, unused).y,
                 WindowEffects(*many.study, cheap, *same, many.runs, unused).y},
-               few.study->design.latin);
+               *many.study);
   }
   if (both.windows.empty())
     throw Error(fmt::format("{} and {} have no window in common", dear.campaign.name, cheap.campaign.name));

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <utility>
 
-#include "parameters/designs/design.hpp"
 #include "parameters/designs/propagation.hpp"
 #include "parameters/designs/shapley.hpp"
-#include "parameters/designs/value_of_score.hpp"
+#include "parameters/designs/variation.hpp"
+#include "results/statistics/placed_inputs.hpp"
 #include "results/statistics/window_effects.hpp"
 
 namespace cpt::results {
@@ -40,41 +40,12 @@ constexpr std::array numbers = {
     Number{"quantile_95", 2, percentile<95>},
 };
 
-/// A row of the design and where its values lie in the unit interval that holds all but one in a thousand.
-struct PlacedRow {
-  explicit PlacedRow(const parameters::Row& of) : row(of), value(of) {
-    constexpr double most_score = 3.3;
-    least = value(-most_score);
-    most = value(most_score);
-  }
-  [[nodiscard]] double place(double at) const { return std::clamp((at - least) / (most - least), 0.0, 1.0); }
-
-  const parameters::Row& row;
-  parameters::ValueOfScore value;
-  double least, most;
-};
-
-// Which input the scatter comes from. What every run draws for itself, as the seed of a random field, is
-// noise to this.
+// Which input the scatter comes from.
 void add_shapley_effects(WindowEffects& w) {
-  const parameters::Study& study = w.study;
-  std::vector<PlacedRow> rows;
-  for (const std::size_t row : study.design.rows)
-    if (!study.rows[row].only_drawn()) rows.emplace_back(study.rows[row]);
-  if (rows.size() < 2) return;
-  const auto inputs = static_cast<Eigen::Index>(rows.size());
-  // What every run draws comes last; a design that stopped has more places than runs.
-  Eigen::MatrixXd places = parameters::design_places(study).topLeftCorner(w.y.size(), inputs);
-  std::vector<parameters::ScoredInput> scored;
-  for (Eigen::Index j = 0; j < inputs; ++j) {
-    const PlacedRow& row = rows[static_cast<std::size_t>(j)];
-    for (double& place : places.col(j)) place = row.place(parameters::value_of_probability(row.row, place));
-    scored.push_back({row.row.marginal ? 0 : parameters::values_of(row.row),
-                      [&row](double score) { return row.place(row.value(score)); }});
-  }
-  const Eigen::MatrixXd correlation =
-      parameters::score_correlations(study.correlations, study.design).topLeftCorner(inputs, inputs);
-  const auto found = parameters::shapley_indices(places, w.y, scored, correlation, study.design.seed);
+  const PlacedInputs inputs(w.study);
+  if (inputs.count() < 2) return;
+  const auto found = parameters::shapley_indices(inputs.places(w.y.size()), w.y, inputs.scored(),
+                                                 inputs.correlation(), w.study.design.seed);
   if (w.window.problem.empty() && !found.problem.empty() && !w.constant) w.prepend(found.problem);
   w.method = "Shapley effects of a sparse polynomial, jackknife over ten folds";
   w.put_all("shapley", found.shapley, found.used, found.dropped, found.used);
