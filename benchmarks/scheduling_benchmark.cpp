@@ -284,7 +284,7 @@ int benchmark(const Job& job, std::unique_ptr<campaign::Transport> transport, do
   options.slots = 1;
   ::setenv(seconds_variable, fmt::format("{}", job.seconds).c_str(), 1);
   RankExecutor inside(job.seconds);
-  campaign::ProcessExecutor processes({"/proc/self/exe", "realize"});
+  campaign::ProcessExecutor processes({{"/proc/self/exe", "realize"}, {"/proc/self/exe", "realize"}});
   Witness executor(job.kind == "inside" ? static_cast<campaign::Executor&>(inside) : processes);
   const int rank = transport->rank(), ranks = transport->size();
   if (rank != 0) {

@@ -5,7 +5,8 @@
 namespace cpt::campaign {
 
 void ProcessExecutor::start(const Order& order, double now) {
-  processes_[order.realization] = std::make_unique<RealizationProcess>(command_, order, now);
+  processes_[order.realization] = std::make_unique<RealizationProcess>(
+      order.setup.program ? command_.program : command_.push, order, now);
 }
 
 std::vector<Message> ProcessExecutor::service(double now) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/realization_command.hpp"
 #include "campaign/realization_process.hpp"
 
 namespace cpt::campaign {
@@ -28,8 +29,7 @@ class Executor {
 /// Each realization in a process of its own.
 class ProcessExecutor final : public Executor {
  public:
-  /// `command` starts one realization process (realization_child.hpp).
-  explicit ProcessExecutor(std::vector<std::string> command) : command_(std::move(command)) {}
+  explicit ProcessExecutor(RealizationCommand command) : command_(std::move(command)) {}
 
   void start(const Order& order, double now) override;
   [[nodiscard]] std::vector<Message> service(double now) override;
@@ -39,7 +39,7 @@ class ProcessExecutor final : public Executor {
   [[nodiscard]] std::size_t running() const override { return processes_.size(); }
 
  private:
-  std::vector<std::string> command_;
+  RealizationCommand command_;
   std::map<int, std::unique_ptr<RealizationProcess>> processes_;  // by realization
 };
 

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "campaign/realization_command.hpp"
 #include "results/files/file_system.hpp"
 
 namespace cpt::campaign {
 
 struct RunOptions {
-  std::vector<std::string>
-      realization_command;  ///< starts one realization process: absolute path and arguments
-  int slots = 0;            ///< cores of each rank; 0 = this rank's share of its machine's allowed cores
-  int threads = 0;          ///< inside each realization; 0 = 1, and more for the last realizations
+  RealizationCommand realization_command;
+  int slots = 0;    ///< cores of each rank; 0 = this rank's share of its machine's allowed cores
+  int threads = 0;  ///< inside each realization; 0 = 1, and more for the last realizations
   double hang_limit_seconds = 300.0;  ///< a realization that makes no step for so long is ended
   double rank_limit_seconds = 30.0;   ///< a worker silent for so long is lost
   double checkpoint_seconds = 300.0;  ///< between two checkpoints of a realization; 0: none at all

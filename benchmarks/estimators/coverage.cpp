@@ -213,30 +213,33 @@ void add_shapley(std::vector<Case>& cases, int runs, bool exponential) {
 }
 
 // A dear model of three standard normal inputs, 10 + a + 0.6 b + 0.2 c, and a cheap one that knows two of
-// them.
-void add_multifidelity(std::vector<Case>& cases, int dear, int cheap) {
+// them; where `emulated` is above 0 a third level that nearly knows these two.
+void add_multifidelity(std::vector<Case>& cases, int dear, int cheap, int emulated) {
   const boost::math::normal normal;
   const double deviation = std::sqrt(1.0 + 0.36 + 0.04);
-  cases.push_back({fmt::format("combine, {} and {} runs", dear, cheap),
-                   "normal sums, correlation 0.986",
-                   {{"mean", 10.0},
-                    {"standard_deviation", deviation},
-                    {"quantile_50", 10.0},
-                    {"quantile_95", 10.0 + quantile(normal, 0.95) * deviation}},
-                   [=](std::uint64_t seed) {
-                     const MatrixXd places = parameters::propagation_places(3, cheap, seed);
-                     VectorXd few(dear), many(cheap);
-                     for (Index i = 0; i < cheap; ++i) {
-                       const auto z = [&](Index j) { return quantile(normal, places(i, j)); };
-                       many(i) = 5.0 + 2.0 * (z(0) + 0.6 * z(1));
-                       if (i < dear) few(i) = 10.0 + z(0) + 0.6 * z(1) + 0.2 * z(2);
-                     }
-                     const parameters::Levels levels = {few, many};
-                     return std::vector{parameters::combined_mean(levels),
-                                        parameters::combined_deviation(levels),
-                                        parameters::combined_quantile(levels, 0.5),
-                                        parameters::combined_quantile(levels, 0.95)};
-                   }});
+  cases.push_back(
+      {fmt::format("combine, {} and {} runs{}", dear, cheap,
+                   emulated > 0 ? fmt::format(", {} emulated", emulated) : ""),
+       emulated > 0 ? "normal sums, correlations 0.986 and 0.983" : "normal sums, correlation 0.986",
+       {{"mean", 10.0},
+        {"standard_deviation", deviation},
+        {"quantile_50", 10.0},
+        {"quantile_95", 10.0 + quantile(normal, 0.95) * deviation}},
+       [=](std::uint64_t seed) {
+         const MatrixXd places = parameters::propagation_places(3, std::max(cheap, emulated), seed);
+         VectorXd few(dear), many(cheap), most(emulated);
+         for (Index i = 0; i < places.rows(); ++i) {
+           const auto z = [&](Index j) { return quantile(normal, places(i, j)); };
+           if (i < cheap) many(i) = 5.0 + 2.0 * (z(0) + 0.6 * z(1));
+           if (i < dear) few(i) = 10.0 + z(0) + 0.6 * z(1) + 0.2 * z(2);
+           if (i < emulated) most(i) = 5.0 + 2.0 * (z(0) + 0.5 * z(1));
+         }
+         parameters::Levels levels = {few, many};
+         if (emulated > 0) levels.push_back(most);
+         return std::vector{parameters::combined_mean(levels), parameters::combined_deviation(levels),
+                            parameters::combined_quantile(levels, 0.5),
+                            parameters::combined_quantile(levels, 0.95)};
+       }});
 }
 
 std::vector<Case> all_cases() {
@@ -255,7 +258,8 @@ std::vector<Case> all_cases() {
       for (const int runs : {100, 200}) add_propagation(cases, runs, lognormal, latin);
   for (const bool exponential : {false, true})
     for (const int runs : {60, 200}) add_shapley(cases, runs, exponential);
-  for (const int dear : {20, 40, 100}) add_multifidelity(cases, dear, 800);
+  for (const int dear : {20, 40, 100}) add_multifidelity(cases, dear, 800, 0);
+  add_multifidelity(cases, 40, 200, 4000);
   return cases;
 }
 

@@ -17,6 +17,7 @@
 #include "campaign/external/program_process.hpp"
 #include "campaign/external/program_results.hpp"
 #include "campaign/last_words.hpp"
+#include "campaign/order_server.hpp"
 
 namespace cpt::campaign {
 namespace {
@@ -255,6 +256,12 @@ solver::Outcome run_program(const Order& order, const ProgramWatch& watch) {
   if (!failed && !limits.keep_work) fs::remove_all(order.work, ignored);
   outcome.wall_seconds = monotonic_seconds() - started;
   return outcome;
+}
+
+solver::Outcome run_ordered_program(const Order& order) {
+  outlive_parent_to_end();
+  return run_program(
+      order, {told_to_end, [&](std::string text) { send_remark(order.realization, std::move(text)); }});
 }
 
 }  // namespace cpt::campaign

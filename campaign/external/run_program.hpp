@@ -19,6 +19,10 @@ struct ProgramWatch {
 /// failed, and where the limits say so. Nothing that it has started outlives the call.
 [[nodiscard]] solver::Outcome run_program(const Order& order, const ProgramWatch& watch);
 
+/// The same within the realization's own process (order_server.hpp), told to end by its signals. A program
+/// outlives its starter, so that this process stays to end it when its own parent has gone.
+[[nodiscard]] solver::Outcome run_ordered_program(const Order& order);
+
 /// The command's words with the paths of files that lie in the folder; others as they are, and so is
 /// `template_name`, which is the filled copy in the work folder.
 [[nodiscard]] std::vector<std::string> resolved_command(const std::vector<std::string>& command,

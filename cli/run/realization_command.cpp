@@ -8,10 +8,9 @@ void add_executor_option(CLI::App& command, std::string& executor) {
   command.add_option("--executor", executor)->group("");  // no group: not in --help
 }
 
-std::vector<std::string> realization_command(const std::string& executor) {
-  // The link holds even if the program's file is replaced while the campaign runs.
-  if (executor.empty()) return {"/proc/self/exe", "realize"};
-  return {executor};
+campaign::RealizationCommand realization_command(const std::string& executor) {
+  if (executor.empty()) return campaign::own_realization_command();
+  return {{executor}, {executor}};
 }
 
 }  // namespace cpt::cli

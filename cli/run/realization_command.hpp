@@ -2,7 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "campaign/realization_command.hpp"
 
 namespace CLI {
 class App;
@@ -13,7 +14,8 @@ namespace cpt::cli {
 /// Hidden option --executor PROGRAM: what runs a realization in place of this program, for tests.
 void add_executor_option(CLI::App& command, std::string& executor);
 
-/// This program started anew, or the given executor.
-[[nodiscard]] std::vector<std::string> realization_command(const std::string& executor);
+/// This program started anew, or the given executor; of another program's realizations the small one beside
+/// this.
+[[nodiscard]] campaign::RealizationCommand realization_command(const std::string& executor);
 
 }  // namespace cpt::cli

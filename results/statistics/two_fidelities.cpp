@@ -12,8 +12,8 @@
 
 #include "parameters/designs/multifidelity.hpp"
 #include "parameters/designs/propagation.hpp"
+#include "results/emulator/emulated_level.hpp"
 #include "results/files/error.hpp"
-#include "results/statistics/emulated_level.hpp"
 #include "results/statistics/stored_design.hpp"
 #include "results/statistics/window_effects.hpp"
 

@@ -209,7 +209,7 @@ TEST(RealizationProcess, DiesWithItsParent) {
 
 TEST(ProcessExecutor, RunsSeveralSideBySide) {
   const Behaviour environment("curve", "0.3");
-  ProcessExecutor executor({FAKE_REALIZATION});
+  ProcessExecutor executor({{FAKE_REALIZATION}, {FAKE_REALIZATION}});
   const double start = monotonic_seconds();
   for (int id = 1; id <= 4; ++id) {
     Order one = order();

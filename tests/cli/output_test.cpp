@@ -72,6 +72,21 @@ class Output : public testing::Test {
                   .exit_code,
               0);
     ASSERT_EQ(run(campaign({"emulate", sample()})).exit_code, 0);
+    folder->write("prior.toml",
+                  "profile = \"homogeneous_sand\"\npreset = \"quick\"\n[parameters]\n"
+                  "\"sand.D_r_percent\" = { baseline = 36, lower = 26, upper = 46 }\n"
+                  "[fixed]\n\"penetrometer.final_depth_m\" = 0.2\n"
+                  "[[windows]]\nname = \"deep\"\nfrom_m = 0.15\nto_m = 0.17\n"
+                  "[design]\nkind = \"latin_hypercube\"\nruns = 20\n");
+    folder->write("c.toml",
+                  "study = \"prior.toml\"\n[[soundings]]\nrecording = \"a.csv\"\n"
+                  "columns = { depth_m = \"z\", q_c_MPa = \"q\" }\nfrom_m = 0.04\nto_m = 0.18\n");
+    ASSERT_EQ(
+        run(campaign({folder->file("prior.toml"), "--no-report", "--quiet", "--executor", FAKE_REALIZATION}),
+            law)
+            .exit_code,
+        0);
+    ASSERT_EQ(run(campaign({"emulate", folder->file("prior.toml")})).exit_code, 0);
   }
   static void TearDownTestSuite() { delete folder; }
 
@@ -103,6 +118,7 @@ class Output : public testing::Test {
             {"combine", sample(), sample()},
             {"emulate", sample()},
             {"predict", sample(), "--set", "sand.H=50"},
+            {"calibrate", folder->file("c.toml")},
             {"prune", study},
             {"export", study, "--to", folder->file("tables")},
             {"import", folder->file("small.dat"), "--study", study, "--to", folder->file("copy.sqlite")},

@@ -9,7 +9,7 @@
 #include "parameters/designs/propagation.hpp"
 #include "parameters/designs/shapley.hpp"
 #include "parameters/designs/variation.hpp"
-#include "results/statistics/placed_inputs.hpp"
+#include "results/emulator/placed_inputs.hpp"
 #include "results/statistics/window_effects.hpp"
 
 namespace cpt::results {

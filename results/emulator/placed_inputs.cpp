@@ -1,4 +1,4 @@
-#include "results/statistics/placed_inputs.hpp"
+#include "results/emulator/placed_inputs.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "results/statistics/emulated_level.hpp"
+#include "results/emulator/emulated_level.hpp"
 
 #include <cmath>
 #include <vector>
@@ -6,7 +6,7 @@
 #include "parameters/designs/propagation.hpp"
 #include "parameters/designs/sparse_expansion.hpp"
 #include "parameters/designs/variation.hpp"
-#include "results/statistics/placed_inputs.hpp"
+#include "results/emulator/placed_inputs.hpp"
 
 namespace cpt::results {
 
