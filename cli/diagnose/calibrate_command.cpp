@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "cli/command.hpp"
@@ -13,6 +14,7 @@
 #include "cli/exit_codes.hpp"
 #include "diagnosis/assemble.hpp"
 #include "diagnosis/calibration/assemble_calibration.hpp"
+#include "recordings/spikes.hpp"
 #include "reports/calibration/sentences.hpp"
 #include "reports/calibration/tables.hpp"
 #include "reports/calibration/write_calibration.hpp"
@@ -32,6 +34,11 @@ std::vector<recordings::Recording> recordings_of(const CalibrationRequest& reque
   std::vector<recordings::Recording> found;
   for (const SoundingRequest& sounding : request.soundings) {
     found.push_back(recording_of(sounding));
+    for (const recordings::Spike& spike : recordings::spikes(found.back()))
+      if (const double depth = found.back().readings[spike.reading].depth;
+          depth >= sounding.from && depth <= sounding.to)
+        fmt::print(stderr, "note: {}: {} has a spike of a single reading at {:.3f} m; it is taken as it is\n",
+                   sounding.name, spike.quantity, depth);
     if (request.channels.front()->name != "q_c") continue;
     try {
       check_recording(sounding, found.back(), request.cell_height);
@@ -53,6 +60,9 @@ CalibrationReport report_of(const CalibrationFile& asked, const results::Emulato
                            {},
                            std::move(posterior),
                            limits};
+  report.shifts_points = std::ranges::any_of(asked.study.study.rows, [](const parameters::Row& row) {
+    return row.only_drawn() && row.quantity->name == "numerics.point_shift";
+  });
   for (const CalibrationChannel& channel : model.problem().channels)
     report.channels.push_back({channel.name, std::string(solver::channel(channel.name).symbol)});
   for (const results::EmulatorInput& input : emulator.inputs)

@@ -52,9 +52,9 @@ struct Posterior {
 struct CalibrateOptions {
   int chains = 4;  ///< from draws of the prior
   SamplerOptions sampler = {};
-  Index kept = 2000;         ///< draws that are handed out
-  Index over_depth = 400;    ///< of them, whose cells are looked at
-  Index prior_draws = 4000;  ///< for the prior's spread
+  Index kept = 2000;          ///< draws that are handed out
+  Index over_depth = 400;     ///< of them, whose cells are looked at
+  Index prior_draws = 40000;  ///< for the prior's spread
 };
 
 /// Draws of the model's scores, with chains from the prior.

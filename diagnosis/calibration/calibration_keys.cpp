@@ -36,7 +36,8 @@ std::vector<parameters::KeyTable> listed_calibration_tables() {
       {"options",
        false,
        "how much is computed",
-       {{"cell_mm", "number above 0", "5", "spacing of the depth grid [mm]"},
+       {{"cell_mm", "number above 0", "5",
+         "spacing of the depth grid [mm]; a sounding has at most 2000 cells", 0.0, 1000.0},
         {"chains", "whole number", "4", "chains of the sampler", 4.0, 32.0},
         {"seed", "whole number", "1", "of all random numbers", 0.0, 1e15}}},
   };

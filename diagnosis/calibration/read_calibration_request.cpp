@@ -73,7 +73,18 @@ class CalibrationReader {
     refuse_unknown_keys(table, "soundings", known, errors_);
     if (auto sounding = diagnosis::read_sounding(
             table, "soundings", {request_.file.parent_path(), study_, request_.cell_height}, errors_))
-      request_.soundings.push_back(std::move(*sounding));
+      if (few_enough(*sounding, table)) request_.soundings.push_back(std::move(*sounding));
+  }
+
+  bool few_enough(const SoundingRequest& sounding, const Value& table) {
+    constexpr double most_cells = 2000.0;  // a likelihood takes the cube of their number
+    const double cells = (sounding.to - sounding.from) / request_.cell_height;
+    if (cells <= most_cells) return true;
+    errors_.add(table.place, "options.cell_mm",
+                fmt::format("{:g} makes {:.3g} cells of \"{}\", at most {:g} are possible",
+                            1000.0 * request_.cell_height, cells, sounding.name, most_cells),
+                fmt::format("take {:.2g} or more", 1000.0 * (sounding.to - sounding.from) / most_cells));
+    return false;
   }
 
   void read_channels() {

@@ -28,6 +28,7 @@ struct CalibrationReport {
   std::vector<ReportedInput> inputs;      ///< of the first of Posterior::unknowns
   diagnosis::Posterior posterior;
   diagnosis::SamplerOptions limits;
+  bool shifts_points = false;  ///< the study's runs draw where their points lie
 };
 
 struct RankReport {

@@ -51,8 +51,9 @@ std::string posterior_study(const CalibrationReport& report) {
       "# {}: what the recordings leave of the inputs of {}. Paste into a study in place of its own\n"
       "# [parameters], [correlation] and [design]. Kinds are those whose quantiles are nearest to the "
       "draws'.\n\n"
-      "[design]\nkind = \"propagation\"\nruns = 100\n\n[parameters]\n",
-      on_one_line(report.title), on_one_line(report.study));
+      "[design]\nkind = \"propagation\"\nruns = 100\n{}\n[parameters]\n",
+      on_one_line(report.title), on_one_line(report.study),
+      report.shifts_points ? "shift_points = true\n" : "");
   for (std::size_t j = 0; j < report.inputs.size(); ++j)
     text += row_of(report.inputs[j], report.posterior.draws.col(static_cast<Index>(j)));
   const Eigen::MatrixXd ranks =

@@ -127,6 +127,12 @@ std::vector<std::string> rank_sentences(const RankReport& report) {
         fmt::format("Ranks of {} of {} unknowns over {} recordings leave the 95 % band of uniform ones "
                     "({}): 1 in 20 does so by chance; least probability of the chi-squares {:.2g}.",
                     out.size(), count, cases, fmt::join(out, ", "), least));
+  constexpr int expected_in_a_bin = 5;
+  if (cases < expected_in_a_bin * rank_bins)
+    told.push_back(fmt::format(
+        "{} recordings tell little: with fewer than {} the chi-squares do not hold, and only gross "
+        "errors leave the band.",
+        cases, expected_in_a_bin * rank_bins));
   const auto stuck = std::ranges::count(check.converged, false);
   if (stuck > 0)
     told.push_back(

@@ -168,8 +168,7 @@ void put_emulator(const Hdf5Group& root, const Emulator& emulator) {
 }
 
 Emulator emulator_in(const Hdf5Group& root) {
-  if (root.text("format") != format_name)
-    throw Error("no emulator of a kind that this program reads; campaign emulate STUDY makes it anew");
+  if (root.text("format") != format_name) throw Error("no emulator of a kind that this program reads");
   Emulator emulator;
   emulator.study = root.text("study");
   emulator.solver_version = root.text("solver_version");
@@ -213,9 +212,11 @@ Emulator read_emulator(const std::filesystem::path& file) {
     read_hdf5(file, [&](const Hdf5Group& root) { emulator = emulator_in(root); });
     return emulator;
   } catch (const std::invalid_argument& problem) {
-    throw Error(fmt::format("{}: cannot be read as an emulator ({})", file.string(), problem.what()));
+    throw Error(fmt::format("{}: cannot be read as an emulator ({}); campaign emulate STUDY makes it anew",
+                            file.string(), problem.what()));
   } catch (const Error& problem) {
-    throw Error(fmt::format("{}: cannot be read as an emulator ({})", file.string(), problem.what()));
+    throw Error(fmt::format("{}: cannot be read as an emulator ({}); campaign emulate STUDY makes it anew",
+                            file.string(), problem.what()));
   }
 }
 

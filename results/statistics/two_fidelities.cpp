@@ -57,6 +57,11 @@ void require_pairs(const Snapshot& dear, const StoredDesign& few, const Snapshot
   if (rows_of_design(few) != rows_of_design(many))
     throw Error(fmt::format("{} and {} are no pair: their designs vary other rows", dear.campaign.name,
                             cheap.campaign.name));
+  const auto baseline = [](const Snapshot& snapshot) { return snapshot.realizations.front().settings_hash; };
+  if (!dear.realizations.empty() && !cheap.realizations.empty() && baseline(dear) == baseline(cheap))
+    throw Error(
+        fmt::format("{} and {} are no pair: their baselines have the same settings, so that none is cheaper",
+                    dear.campaign.name, cheap.campaign.name));
   auto mine = inputs_of(dear), other = inputs_of(cheap);
   for (std::size_t k = 0; k < std::min(few.runs.size(), many.runs.size()); ++k) {
     if (few.runs[k] == nullptr || many.runs[k] == nullptr) continue;

@@ -61,16 +61,7 @@ class Output : public testing::Test {
                     .exit_code,
                 0);
     ASSERT_EQ(run(campaign(push())).exit_code, 0);
-    folder->write("sample.toml",
-                  "profile = \"homogeneous_sand\"\npreset = \"quick\"\n[parameters]\n"
-                  "\"sand.nu\" = { lower = 0.1, upper = 0.3 }\n\"sand.H\" = { lower = 20, upper = 75 }\n"
-                  "[fixed]\n\"penetrometer.final_depth_m\" = 0.1\n"
-                  "[[windows]]\nname = \"deep\"\nfrom_m = 0.05\nto_m = 0.09\n"
-                  "[design]\nkind = \"propagation\"\nruns = 40\n");
-    ASSERT_EQ(run(campaign({sample(), "--no-report", "--quiet", "--executor", FAKE_REALIZATION}),
-                  {"CPT_FAKE_SECONDS=0.001"})
-                  .exit_code,
-              0);
+    for (const char* preset : {"quick", "standard"}) write_sample(preset);
     ASSERT_EQ(run(campaign({"emulate", sample()})).exit_code, 0);
     folder->write("prior.toml",
                   "profile = \"homogeneous_sand\"\npreset = \"quick\"\n[parameters]\n"
@@ -90,7 +81,23 @@ class Output : public testing::Test {
   }
   static void TearDownTestSuite() { delete folder; }
 
-  static std::string sample() { return folder->file("sample.toml"); }
+  // A propagation with its runs: quick.toml, standard.toml.
+  static void write_sample(const std::string& preset) {
+    folder->write(preset + ".toml", "profile = \"homogeneous_sand\"\npreset = \"" + preset +
+                                        "\"\n[parameters]\n"
+                                        "\"sand.nu\" = { lower = 0.1, upper = 0.3 }\n"
+                                        "\"sand.H\" = { lower = 20, upper = 75 }\n"
+                                        "[fixed]\n\"penetrometer.final_depth_m\" = 0.1\n"
+                                        "[[windows]]\nname = \"deep\"\nfrom_m = 0.05\nto_m = 0.09\n"
+                                        "[design]\nkind = \"propagation\"\nruns = 40\n");
+    ASSERT_EQ(run(campaign({folder->file(preset + ".toml"), "--no-report", "--quiet", "--executor",
+                            FAKE_REALIZATION}),
+                  {"CPT_FAKE_SECONDS=0.001"})
+                  .exit_code,
+              0);
+  }
+
+  static std::string sample() { return folder->file("quick.toml"); }
   static std::vector<std::string> diagnosis() {
     return {"diagnose", folder->file("d.toml"), "--quiet", "--no-report", "--executor", FAKE_REALIZATION};
   }
@@ -115,7 +122,7 @@ class Output : public testing::Test {
             {"query", study, "realizations"},
             {"query", study, "sql", "select id from realization", "--format", "csv"},
             {"compare", study, study},
-            {"combine", sample(), sample()},
+            {"combine", folder->file("standard.toml"), sample()},
             {"emulate", sample()},
             {"predict", sample(), "--set", "sand.H=50"},
             {"calibrate", folder->file("c.toml")},

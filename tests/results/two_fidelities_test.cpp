@@ -21,11 +21,11 @@ class TwoStudies : public ScratchFolder {
 
   Snapshot run(const std::string& name, int runs, const Result& result, const std::string& more = "") {
     const std::string text = fmt::format(
-        "profile = \"homogeneous_sand\"\npreset = \"quick\"\n[parameters]\n"
+        "profile = \"homogeneous_sand\"\npreset = \"{}\"\n[parameters]\n"
         "sand.nu = {{ baseline = 0.2, lower = 0.1, upper = 0.3 }}\nsand.H = {{ baseline = 25, upper = 75 }}\n"
         "[[windows]]\nname = \"deep\"\nfrom_m = 0.30\nto_m = 0.32\n[design]\nkind = \"propagation\"\nruns = "
         "{}\n{}",
-        runs, more);
+        name == "cheap" ? "quick" : "standard", runs, more);
     auto parsed = parameters::parse_study(text, folder / (name + ".toml"));
     if (const auto* errors = std::get_if<std::vector<parameters::StudyError>>(&parsed))
       throw std::runtime_error(parameters::format(*errors));
@@ -66,7 +66,7 @@ TEST_F(TwoStudies, TheEmulatorOfTheCheapOneNarrowsWhatTheDearOneTells) {
   }
   // As good as the truth: two thousand dear runs.
   const Snapshot many = run("many", 2000, dear_result);
-  const double truth = two_fidelities(many, many).rows.front().alone.value;
+  const double truth = two_fidelities(many, cheap).rows.front().alone.value;
   EXPECT_LE(row(three, "mean").combined.lower, truth);
   EXPECT_GE(row(three, "mean").combined.upper, truth);
 }
@@ -78,6 +78,17 @@ TEST_F(TwoStudies, AnEmulatorThatMissesTooMuchIsLeftOut) {
   ASSERT_EQ(three.warnings.size(), 1U);
   EXPECT_NE(three.warnings[0].find("below 0.9; it is left out"), std::string::npos) << three.warnings[0];
   EXPECT_EQ(row(three, "mean").combined.value, row(two, "mean").combined.value);
+}
+
+TEST_F(TwoStudies, OneModelIsNoPair) {
+  const Snapshot dear = run("dear", 20, dear_result);
+  try {
+    (void)two_fidelities(dear, dear);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("their baselines have the same settings"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(TwoStudies, OtherInputsAreNoPair) {

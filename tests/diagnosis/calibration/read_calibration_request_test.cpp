@@ -61,6 +61,7 @@ TEST(ReadCalibrationRequest, ErrorsNameLineKeyValueAndRange) {
         Case{sound + "[discrepancy]\ncorrelation_mm = -5\n", "discrepancy.correlation_mm",
              "-5 must be above 0"},
         Case{sound + "[options]\nchains = 3\n", "options.chains", "3 must be a whole number from 4 to 32"},
+        Case{sound + "[options]\ncell_mm = 1e-9\n", "options.cell_mm", "at most 2000 are possible"},
         Case{sound + "[options]\nseed = 1.5\n", "options.seed", "whole number"},
         Case{sound + "fixed = { \"initial.sigma_v0_kPa\" = 60 }\n", "soundings.fixed",
              "study's soil and stress"},

@@ -108,6 +108,10 @@ TEST_F(CalibrationStudy, PosteriorRowsMakeAStudy) {
     EXPECT_NEAR(study.rows[j].marginal->mean(), spread.mean, 0.1 * spread.deviation);
     EXPECT_NEAR(study.rows[j].marginal->standard_deviation(), spread.deviation, 0.15 * spread.deviation);
   }
+  EXPECT_EQ(posterior_study(report).find("shift_points"), std::string::npos);
+  CalibrationReport shifted = report;
+  shifted.shifts_points = true;
+  EXPECT_NE(posterior_study(shifted).find("\nshift_points = true\n\n[parameters]"), std::string::npos);
   ASSERT_EQ(study.correlations.size(), 1U);
   EXPECT_NEAR(study.correlations[0].rho, -0.6, 1e-3);
 }
