@@ -31,7 +31,11 @@ void check_depths(const Value& table, std::string_view list, const SoundingReque
   const Place place = table.find("to_m")->value.place;
   const double least = 10.0 * asked.cell_height;
   const double final_depth = asked.study == nullptr ? 0.0 : asked.study->baseline.penetrometer.final_depth;
-  if (solver::falls_short(sounding.to - sounding.from, least))
+  if (sounding.to <= sounding.from)
+    errors.add(place, joined(list, "to_m"),
+               fmt::format("{} m is not below from_m = {}", sounding.to, sounding.from),
+               "depth grows downwards");
+  else if (solver::falls_short(sounding.to - sounding.from, least))
     errors.add(
         place, joined(list, "to_m"),
         fmt::format("{} m to {} m is less than 10 cells of the depth grid", sounding.from, sounding.to),

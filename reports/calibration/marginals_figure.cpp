@@ -46,7 +46,11 @@ Rich marginal_title(const CalibrationReport& report, std::size_t k) {
     const ReportedInput& input = report.inputs[k];
     return symbolic(input.symbol) + plain(input.unit == "-" ? "" : " (" + input.unit + ")");
   }
-  return plain(shortened(report.posterior.unknowns[k].name, 120.0, 8.5) + " (%)");
+  // "discrepancy q_c", "discrepancy q_c first"
+  const std::string& name = report.posterior.unknowns[k].name;
+  const std::size_t channel = name.find(' ') + 1, end = std::min(name.find(' ', channel), name.size());
+  return plain(name.substr(0, channel)) + symbolic(name.substr(channel, end - channel)) +
+         plain(shortened(name.substr(end), 60.0, 8.5) + " (%)");
 }
 
 }  // namespace
