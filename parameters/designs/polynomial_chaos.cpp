@@ -20,6 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index most_folds = 10;
+
 // First-order indices, then total ones, from the coefficients of an expansion without its mean. `rounding`:
 // what y must vary by.
 VectorXd chaos_indices_of(const std::vector<Term>& terms, const VectorXd& coefficients, double rounding) {
@@ -72,12 +73,6 @@ LeftOut leave_out(const MatrixXd& at_all, const ExpansionTerms& candidates, cons
   return all;
 }
 
-Estimate jackknifed(double value, const VectorXd& left_out) {
-  const double half = jackknife_half_width({left_out.data(), static_cast<std::size_t>(left_out.size())});
-  if (!std::isfinite(half)) return {value, undefined, undefined};
-  return {value, value - half, value + half};
-}
-
 }  // namespace
 
 ChaosIndices polynomial_chaos(const MatrixXd& all_places, const std::vector<int>& values,
@@ -124,8 +119,8 @@ ChaosIndices polynomial_chaos(const MatrixXd& all_places, const std::vector<int>
   const VectorXd indices = chaos_indices_of(expansion.terms, expansion.coefficients, rounding);
   for (std::size_t j = 0; j < parameters; ++j) {
     const auto first = static_cast<Index>(j), total = static_cast<Index>(parameters + j);
-    fit.first[j] = jackknifed(indices(first), left_out.indices.row(first).transpose());
-    fit.total[j] = jackknifed(indices(total), left_out.indices.row(total).transpose());
+    fit.first[j] = jackknifed(indices(first), left_out.indices.row(first));
+    fit.total[j] = jackknifed(indices(total), left_out.indices.row(total));
   }
   if (fit.q2 < least_q2)
     fit.problem = fmt::format("not to be believed: Q2 = {:.2f} is below {}", fit.q2, least_q2);

@@ -33,4 +33,10 @@ double jackknife_half_width(std::span<const double> left_out) {
   return boost::math::quantile(student, 0.975) * std::sqrt((k - 1.0) / k * squares);
 }
 
+Estimate jackknifed(double value, const Eigen::RowVectorXd& left_out) {
+  const double half = jackknife_half_width({left_out.data(), static_cast<std::size_t>(left_out.size())});
+  if (!std::isfinite(half)) return {value, half, half};
+  return {value, value - half, value + half};
+}
+
 }  // namespace cpt::parameters

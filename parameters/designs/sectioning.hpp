@@ -22,5 +22,7 @@ inline constexpr int least_sections = 5;
 /// mean and t Student's 97.5 % point with k - 1 degrees of freedom (Kott 2001, Journal of Official Statistics
 /// 17, 521). For a number that a single section is too small for. NaN if any of them is.
 [[nodiscard]] double jackknife_half_width(std::span<const double> left_out);
+/// `value` with that interval, or with none.
+[[nodiscard]] Estimate jackknifed(double value, const Eigen::RowVectorXd& left_out);
 
 }  // namespace cpt::parameters

@@ -137,11 +137,9 @@ MatrixXd shares_of_subsets(const Expansions& expansions, const ExpansionTerms& c
   return shares;
 }
 
-Estimate jackknifed(const Eigen::RowVectorXd& values) {
-  const VectorXd left_out = values.tail(folds).transpose();
-  const double half = jackknife_half_width({left_out.data(), static_cast<std::size_t>(folds)});
-  if (!std::isfinite(half)) return {values(0), undefined, undefined};
-  return {values(0), values(0) - half, values(0) + half};
+// The first is that of all runs.
+Estimate estimated(const Eigen::RowVectorXd& values) {
+  return parameters::jackknifed(values(0), values.tail(folds));
 }
 
 }  // namespace
@@ -216,9 +214,9 @@ ShapleyIndices shapley_indices(const MatrixXd& all_places, const VectorXd& all_y
   const Index all = shares.rows() - 1;
   for (std::size_t j = 0; j < count; ++j) {
     const Index alone = Index{1} << j;
-    found.shapley[j] = jackknifed(shapley.row(static_cast<Index>(j)));
-    found.first[j] = jackknifed(shares.row(alone));
-    found.total[j] = jackknifed((1.0 - shares.row(all - alone).array()).matrix());
+    found.shapley[j] = estimated(shapley.row(static_cast<Index>(j)));
+    found.first[j] = estimated(shares.row(alone));
+    found.total[j] = estimated((1.0 - shares.row(all - alone).array()).matrix());
   }
   if (found.q2 < least_q2)
     found.problem = fmt::format("not to be believed: Q2 = {:.2f} is below {}", found.q2, least_q2);

@@ -66,6 +66,13 @@ void WindowEffects::put(std::size_t parameter, std::string_view quantity, std::s
                   e.lower, e.upper, used, dropped, note, method, with_results});
 }
 
+void WindowEffects::put_fit(double q2, int degree, int terms, int used, int dropped) {
+  const std::string size = terms > 0 ? fmt::format("degree {}, {} terms", degree, terms) : "";
+  rows.push_back({window.name, "", "", "Q2", "-", q2, parameters::undefined, parameters::undefined, used,
+                  dropped, note + (note.empty() || size.empty() ? "" : "; ") + size,
+                  "ten-fold cross-validation", used});
+}
+
 void WindowEffects::put_all(std::string_view quantity, const std::vector<parameters::Estimate>& estimates,
                             int used, int dropped, int with_results) {
   for (std::size_t j = 0; j < estimates.size(); ++j)

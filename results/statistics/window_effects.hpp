@@ -44,6 +44,8 @@ struct WindowEffects {
   [[nodiscard]] std::string name(std::size_t parameter) const;
   void put(std::size_t parameter, std::string_view quantity, std::string_view unit,
            const parameters::Estimate& estimate, int used, int dropped, int with_results);
+  /// How good the polynomial is that the numbers come from: its Q2, its size in the note.
+  void put_fit(double q2, int degree, int terms, int used, int dropped);
   /// One quantity of all parameters.
   void put_all(std::string_view quantity, const std::vector<parameters::Estimate>& estimates, int used,
                int dropped, int with_results);

@@ -1,10 +1,5 @@
-#include <fmt/format.h>
-
-#include <utility>
-
 #include "parameters/designs/design.hpp"
 #include "parameters/designs/polynomial_chaos.hpp"
-#include "parameters/designs/variation.hpp"
 #include "results/statistics/window_effects.hpp"
 
 namespace cpt::results {
@@ -18,11 +13,7 @@ void add_latin_hypercube_effects(WindowEffects& w) {
   w.method = "sparse polynomial chaos, jackknife over ten folds";
   w.put_all("total_order", fit.total, fit.used, fit.dropped, fit.used);
   w.put_all("first_order", fit.first, fit.used, fit.dropped, fit.used);
-  std::string note = w.note;
-  if (fit.terms > 0)
-    note += fmt::format("{}degree {}, {} terms", note.empty() ? "" : "; ", fit.degree, fit.terms);
-  w.rows.push_back({w.window.name, "", "", "Q2", "-", fit.q2, parameters::undefined, parameters::undefined,
-                    fit.used, fit.dropped, std::move(note), "ten-fold cross-validation", fit.used});
+  w.put_fit(fit.q2, fit.degree, fit.terms, fit.used, fit.dropped);
 }
 
 }  // namespace cpt::results

@@ -1,14 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "parameters/designs/propagation.hpp"
 #include "parameters/designs/shapley.hpp"
-#include "parameters/designs/variation.hpp"
 #include "results/emulator/placed_inputs.hpp"
 #include "results/statistics/window_effects.hpp"
 
@@ -52,11 +47,7 @@ void add_shapley_effects(WindowEffects& w) {
   w.method = "Kucherenko's indices of a sparse polynomial, jackknife over ten folds";
   w.put_all("total_order", found.total, found.used, found.dropped, found.used);
   w.put_all("first_order", found.first, found.used, found.dropped, found.used);
-  std::string note = w.note;
-  if (found.terms > 0)
-    note += fmt::format("{}degree {}, {} terms", note.empty() ? "" : "; ", found.degree, found.terms);
-  w.rows.push_back({w.window.name, "", "", "Q2", "-", found.q2, parameters::undefined, parameters::undefined,
-                    found.used, found.dropped, std::move(note), "ten-fold cross-validation", found.used});
+  w.put_fit(found.q2, found.degree, found.terms, found.used, found.dropped);
 }
 
 }  // namespace
