@@ -62,6 +62,7 @@ class DesignReader {
     sound = read_estimator() && sound;
     sound = read_sampling() && sound;
     sound = read_until() && sound;
+    sound = read_numerical_error() && sound;
     sound = may_shift_points() && sound;
     sound = sound && growth() && enough_sections();
     return sound && affordable() ? design_ : Design();
@@ -217,6 +218,39 @@ class DesignReader {
     constexpr int most_untold = 1000;
     if (table_.find("runs") == nullptr) design_.runs = most_untold;
     return true;
+  }
+
+  bool read_numerical_error() {
+    const Member* member = table_.find("numerical_error_percent");
+    if (member == nullptr) return true;
+    if (!belongs_to_propagation(*member)) return false;
+    const std::string form = "such as numerical_error_percent = { q_c = 5 }";
+    if (setup_.program) {
+      refuse(*member,
+             "is of the embedded solver's channels, and the study's realizations are another program's");
+      return false;
+    }
+    if (member->value.kind != Value::Kind::table) {
+      refuse(*member, fmt::format("must be a table, not {}", to_string(member->value.kind)), form);
+      return false;
+    }
+    const std::string key = "design.numerical_error_percent";
+    std::vector<std::string_view> names;
+    for (const solver::Channel& channel : solver::channels()) names.push_back(channel.name);
+    bool sound = refuse_unknown_keys(member->value, key, names, errors_);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const Member* given = member->value.find(names[k]);
+      if (given == nullptr) continue;
+      constexpr double most = 100.0;
+      const auto percent = number_field(member->value, key, names[k], true, errors_);
+      const bool within = percent && *percent >= 0.0 && *percent <= most;
+      if (percent && !within)
+        errors_.add(given->value.place, joined(key, names[k]),
+                    fmt::format("{} must be from 0 to {}", *percent, most));
+      if (within) design_.numerical_error[k] = *percent / most;
+      sound = sound && within;
+    }
+    return sound;
   }
 
   bool may_shift_points() {

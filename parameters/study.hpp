@@ -1,6 +1,7 @@
 // A study: what the researcher wrote, validated. Plain data; read_study.hpp makes it from TOML.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "parameters/distributions/distribution.hpp"
+#include "solver/channels.hpp"
 #include "solver/presets.hpp"
 #include "solver/quantities.hpp"
 #include "solver/setup.hpp"
@@ -70,8 +72,11 @@ struct Design {
   std::uint64_t seed = 1;  ///< of its points and of its bootstrap
   bool latin = false;      ///< propagation: sections of Latin hypercubes, not of Sobol' points
   std::optional<StopRule> until = {};  ///< propagation: `runs` are the most
-  std::size_t first_point = 0;         ///< of its own among Study::points
-  std::size_t points = 0;  ///< its own; fewer than its runs where the study has some of them already
+  /// Propagation: standard deviation of a numerical error of each channel relative to its value, in the
+  /// order of solver/channels.hpp.
+  std::array<double, solver::channel_count> numerical_error = {};
+  std::size_t first_point = 0;  ///< of its own among Study::points
+  std::size_t points = 0;       ///< its own; fewer than its runs where the study has some of them already
 };
 
 /// Depth interval over which q_c is averaged; of an external program a scalar that it gives, or an interval

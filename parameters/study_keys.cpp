@@ -140,6 +140,9 @@ std::vector<KeyTable> listed_tables() {
          "propagation: ends, at most after `runs` (without it 1000), once the 95 % interval of that "
          "quantile, without one "
          "of the mean, is at most X % to either side in every window"},
+        {"numerical_error_percent", "{ CHANNEL = X }", "none",
+         "propagation: a normal error of each run's q_c, f_s or wall_stress, of X % of its value in standard "
+         "deviation (0 to 100), in standard deviation, quantiles, exceedance and bands"},
         {"shift_points", "true or false", "false",
          "propagation, sobol: every run draws where its material points lie about their grid, so that its "
          "results scatter as those of another mesh would"}}},

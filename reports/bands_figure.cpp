@@ -68,9 +68,11 @@ std::optional<std::string> bands_figure(const results::Snapshot& campaign, const
 
   const int most = (*std::ranges::max_element(rows, {}, &DepthBandRow::runs))->runs;
   const double figure_width = width_of(place.column);
-  const std::vector<Rich> heading = {
+  std::vector<Rich> heading = {
       symbolic(fmt::format("{} with its inputs drawn from their distributions", channel.symbol)),
       plain(fmt::format("{} runs; each depth stands alone", most))};
+  if (!effects.numerical_error.empty())
+    heading.push_back(symbolic("with a numerical error of " + effects.numerical_error));
   const double room = figure_width - 28.0;
   Svg svg(figure_width,
           heading_height(campaign, heading.size(), place.ground) + bands_height + 58.0 + legend.height(room),

@@ -137,6 +137,7 @@ std::string report_json(const Snapshot& s, const results::Effects& effects, Name
   all["sensitivity"] = rows(sensitivity_table(s));
   all["design"] = effects.design;
   all["stopped"] = effects.stopped;
+  all["numerical_error"] = effects.numerical_error;
   all["effects"] = rows(results::effects_table(effects));
   return all.dump(2) + "\n";
 }

@@ -74,10 +74,13 @@ std::optional<std::string> propagation_figure(const Snapshot& campaign, const Ef
 
   const double figure_width = width_of(place.column);
   const std::string where = place_of(campaign, window), unit = unit_behind(window);
-  const std::vector<Rich> lines = {
+  std::vector<Rich> lines = {
       window_line(window, plain(where.empty() ? "" : ": " + where), figure_width),
       plain(fmt::format("{} runs: mean {}{}, standard deviation {}{} (95 %)", sorted.size(),
                         with_interval(*mean), unit, with_interval(*deviation), unit))};
+  if (!effects.numerical_error.empty())
+    lines.push_back(
+        symbolic("quantiles and standard deviation with a numerical error of " + effects.numerical_error));
   FlowLegend legend;
   legend.line(plain("runs"), {palette::blue, 1.2, {}});
   legend.add(12.0, plain("5, 25, 50, 75, 95 % quantile, 95 % interval"), [](Svg& svg, Point at) {

@@ -170,9 +170,11 @@ void add_propagation(std::vector<Case>& cases, int runs, bool lognormal, bool la
            for (Index j = 0; j < 4; ++j) sum += quantile(normal, places(i, j));
            y(i) = result(sum);
          }
-         std::vector<Estimate> all = {parameters::by_sections(
-                                          y, 1, [](const VectorXd& of) { return of.mean(); }, latin),
-                                      parameters::by_sections(y, 2, parameters::sample_deviation, latin)};
+         std::vector<Estimate> all = {
+             parameters::by_sections(
+                 y, 1, [](const VectorXd& of) { return of.mean(); }, latin),
+             parameters::by_sections(
+                 y, 2, [](const VectorXd& of) { return parameters::sample_deviation(of); }, latin)};
          for (const int percent : {5, 25, 50, 75, 95})
            all.push_back(parameters::by_sections(
                y, 2, [=](const VectorXd& of) { return parameters::sample_quantile(of, percent / 100.0); },

@@ -43,7 +43,7 @@ std::vector<RankCase> cases_of(const CalibrationFile& asked, const results::Trai
     RankCase made{fmt::format("run {}", id), inputs_of(asked.study.study, model, id), {}};
     for (const CalibrationChannel& channel : model.problem().channels) {
       const results::TrainingOutput& output = output_of(runs, channel.name);
-      made.curves.push_back(curve_at_cells(channel, output.depth_m, output.values.col(run)));
+      made.curves.push_back(curve_at_cells(channel, output.abscissa, output.values.col(run)));
     }
     cases.push_back(std::move(made));
   }

@@ -23,14 +23,14 @@ struct EmulateArguments {
 };
 
 results::Table told(const results::Emulator& emulator) {
-  results::Table table{{"output", "runs", "scale", "components", "Q2", "rmse_kPa", "coverage_95",
+  results::Table table{{"output", "runs", "scale", "components", "Q2", "rmse", "unit", "coverage_95",
                         "coverage_lower", "coverage_upper", "verdict"},
                        {}};
   for (const results::EmulatedOutput& output : emulator.outputs) {
     const results::Validation& v = output.validation;
     table.rows.push_back(
         {output.name, whole(v.runs), std::string(output.emulator.logarithmic() ? "logarithm" : "linear"),
-         whole(output.emulator.processes().size()), v.q2, v.rmse, v.coverage, v.coverage_lower,
+         whole(output.emulator.processes().size()), v.q2, v.rmse, output.unit, v.coverage, v.coverage_lower,
          v.coverage_upper, std::string(v.refused() ? "refused" : "accepted")});
   }
   return table;
@@ -38,7 +38,6 @@ results::Table told(const results::Emulator& emulator) {
 
 int emulate(const EmulateArguments& arguments) {
   const StudyFile study = read_study_file(arguments.study);
-  refuse_external(study.study, "emulate");
   const results::Emulator emulator = emulator_of(arguments.study, study, arguments.next > 0);
   if (arguments.next > 0) {
     fmt::print("{}", next_points(study.study, emulator, arguments.next));
@@ -73,9 +72,9 @@ void add_emulate(CLI::App& program, Action& action) {
   command->footer(
       R"(Learns from the completed runs that vary inputs together: the study's [design], its [[points]], bounds. The
 emulator is stored as NAME-emulator.h5 beside the database and campaign predict evaluates it. The table has for each
-average (WINDOW.q_c_mean_kPa) and each curve (q_c_kPa)
+average (WINDOW.q_c_mean_kPa) and each curve (q_c_kPa), of an external program each result and curve,
   Q2           share of the variance that is predicted at runs held out (10 folds, fitted anew without them)
-  rmse_kPa     root of the mean squared error there
+  rmse, unit   root of the mean squared error there
   coverage_95  share of their values within the 95 % intervals, with its own interval
 Outputs with Q2 < 0.9 are refused: they are not predicted, and the exit code is 7.
 

@@ -42,7 +42,6 @@ results::Emulator read_emulator_of(const std::filesystem::path& source) {
     throw BadInput(fmt::format("{}: is neither a study (NAME.toml) nor an emulator (NAME-emulator.h5)",
                                source.string()));
   const StudyFile study = read_study_file(source);
-  refuse_external(study.study, "predict");
   const std::filesystem::path file = results::emulator_file_of(study.study.database);
   results::Emulator emulator = results::read_emulator(file);
   const auto differences = results::stale(emulator, training_runs(source, study));

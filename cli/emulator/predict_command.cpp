@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "cli/command.hpp"
 #include "cli/common/format_option.hpp"
@@ -25,8 +26,7 @@ struct PredictArguments {
 // A row a point and average; what is refused has a row without a value.
 results::Table averages(const results::Emulator& emulator, const PredictionPoints& points,
                         const Eigen::MatrixXd& places) {
-  results::Table table{
-      {"point", "output", "value_kPa", "standard_error_kPa", "lower_kPa", "upper_kPa", "note"}, {}};
+  results::Table table{{"point", "output", "value", "standard_error", "lower", "upper", "unit", "note"}, {}};
   std::vector<results::OutputPrediction> predicted;
   for (const results::EmulatedOutput& output : emulator.outputs)
     predicted.push_back(output.is_curve() ? results::OutputPrediction{} : output.emulator.predict(places));
@@ -39,17 +39,27 @@ results::Table averages(const results::Emulator& emulator, const PredictionPoint
       for (const Eigen::MatrixXd* part :
            {&predicted[k].value, &predicted[k].error, &predicted[k].lower, &predicted[k].upper})
         row.push_back(results::number_cell(why.empty() ? (*part)(0, i) : std::nan("")));
+      row.emplace_back(output.unit);
       row.emplace_back(why.empty() ? std::string() : "refused: " + why);
       table.rows.push_back(std::move(row));
     }
   return table;
 }
 
-// A row a point, curve and depth.
+// "depth_m"; of an external program's curves "time_d", "abscissa" where they have several.
+std::string abscissa_of(const results::Emulator& emulator) {
+  std::set<std::string> names;
+  for (const results::EmulatedOutput& output : emulator.outputs)
+    if (output.is_curve())
+      names.insert(output.over_unit == "-" ? output.over : output.over + "_" + output.over_unit);
+  return names.size() == 1 ? *names.begin() : "abscissa";
+}
+
+// A row a point, curve and place on it.
 results::Table curves(const results::Emulator& emulator, const PredictionPoints& points,
                       const Eigen::MatrixXd& places) {
   results::Table table{
-      {"point", "output", "depth_m", "value_kPa", "standard_error_kPa", "lower_kPa", "upper_kPa"}, {}};
+      {"point", "output", abscissa_of(emulator), "value", "standard_error", "lower", "upper", "unit"}, {}};
   for (const results::EmulatedOutput& output : emulator.outputs) {
     if (!output.is_curve()) continue;
     if (const std::string why = refusal_of(output); !why.empty()) {
@@ -58,9 +68,9 @@ results::Table curves(const results::Emulator& emulator, const PredictionPoints&
     }
     const results::OutputPrediction at = output.emulator.predict(places);
     for (Index i = 0; i < places.rows(); ++i)
-      for (Index z = 0; z < output.depth_m.size(); ++z)
-        table.rows.push_back({points.names[static_cast<std::size_t>(i)], output.name, output.depth_m(z),
-                              at.value(z, i), at.error(z, i), at.lower(z, i), at.upper(z, i)});
+      for (Index z = 0; z < output.abscissa.size(); ++z)
+        table.rows.push_back({points.names[static_cast<std::size_t>(i)], output.name, output.abscissa(z),
+                              at.value(z, i), at.error(z, i), at.lower(z, i), at.upper(z, i), output.unit});
   }
   return table;
 }

@@ -109,7 +109,7 @@ class CalibrationAssembler {
     std::vector<double> recorded;
     for (std::size_t s = 0; s < grids_.size(); ++s) add_cells(channel, *output, s, made, recorded);
     if (made.cells.empty()) return;
-    const MatrixXd average = cell_averages(output->depth_m, made.cells);
+    const MatrixXd average = cell_averages(output->abscissa, made.cells);
     const results::PrincipalComponents& components = output->emulator.components();
     made.mean = average * components.mean;
     made.shapes = average * components.shapes;
@@ -143,7 +143,7 @@ class CalibrationAssembler {
     std::size_t beyond = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       cells[i].sounding = static_cast<int>(s);
-      if (cell_average(output.depth_m, cells[i]).size() == 0)
+      if (cell_average(output.abscissa, cells[i]).size() == 0)
         ++beyond;
       else if (std::isfinite(values(static_cast<Index>(i))))
         kept.push_back(i);
@@ -241,8 +241,8 @@ results::TrainingRuns without_runs(const results::TrainingRuns& runs, const std:
   left.places = runs.places(kept, Eigen::all);
   left.outputs.clear();
   for (const results::TrainingOutput& output : runs.outputs)
-    if (output.depth_m.size() > 0)
-      left.outputs.push_back({output.name, output.depth_m, output.values(Eigen::all, kept)});
+    if (output.abscissa.size() > 0)
+      left.outputs.push_back({output, output.abscissa, output.values(Eigen::all, kept)});
   return left;
 }
 

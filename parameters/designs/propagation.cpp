@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/sobol.hpp>
 #include <cmath>
@@ -29,6 +30,20 @@ VectorXd entries(const VectorXd& y, bool latin, Wanted wanted) {
 }
 VectorXd all_entries(const VectorXd& y) {
   return entries(y, false, [](int) { return true; });
+}
+
+// Standard normal numbers at the middles of equally likely parts, of mean zero and variance one.
+VectorXd normal_parts() {
+  constexpr Index parts = 21;
+  VectorXd score(parts);
+  for (Index k = 0; k < parts; ++k)
+    score(k) = boost::math::quantile(boost::math::normal(), (static_cast<double>(k) + 0.5) / parts);
+  return score / std::sqrt(score.squaredNorm() / parts);
+}
+
+VectorXd with_error(const VectorXd& sample, double error) {
+  static const VectorXd score = normal_parts();
+  return (sample * (1.0 + error * score.array()).matrix().transpose()).reshaped();
 }
 
 Estimate clopper_pearson(double above, double runs) {
@@ -94,10 +109,15 @@ Estimate by_sections(const VectorXd& y, int least, const std::function<double(co
   return sectioned(number(all), of_sections);
 }
 
-Estimate exceedance(const VectorXd& y, bool latin, double threshold) {
+Estimate exceedance(const VectorXd& y, bool latin, double threshold, double error) {
   constexpr double least_on_a_side = 5.0;
-  const auto above = [threshold](const VectorXd& sample) {
-    return static_cast<double>((sample.array() > threshold).count());
+  const auto above = [=](const VectorXd& sample) {
+    double sum = 0.0;
+    for (const double value : sample)
+      sum += error > 0.0 && value != 0.0
+                 ? boost::math::cdf(boost::math::normal(), (value - threshold) / (error * std::abs(value)))
+                 : (value > threshold ? 1.0 : 0.0);
+    return sum;
   };
   const VectorXd all = all_entries(y);
   const auto runs = static_cast<double>(all.size());
@@ -113,27 +133,29 @@ Estimate exceedance(const VectorXd& y, bool latin, double threshold) {
   return share;
 }
 
-bool suffices(const StopRule& rule, const VectorXd& y, Index runs, bool latin) {
+bool suffices(const StopRule& rule, const VectorXd& y, Index runs, bool latin, double error) {
   const bool of_mean = std::isnan(rule.quantile);
   const auto of = [&](const VectorXd& sample) {
-    return of_mean ? sample.mean() : sample_quantile(sample, rule.quantile);
+    return of_mean ? sample.mean() : sample_quantile(sample, rule.quantile, error);
   };
   const Estimate number = by_sections(y.head(runs), of_mean ? 1 : 2, of, latin);
   return number.upper - number.value <= rule.half_width * std::abs(number.value);
 }
 
-double sample_deviation(const VectorXd& sample) {
+double sample_deviation(const VectorXd& sample, double error) {
   const double mean = sample.mean();
-  return std::sqrt((sample.array() - mean).square().sum() / static_cast<double>(sample.size() - 1));
+  const double square = (sample.array() - mean).square().sum() / static_cast<double>(sample.size() - 1);
+  return std::sqrt(square + error * error * sample.array().square().mean());
 }
 
-double sample_quantile(const VectorXd& sample, double probability) {
-  VectorXd sorted = sample;
-  std::sort(sorted.begin(), sorted.end());
-  const auto n = static_cast<double>(sorted.size());
+double sample_quantile(const VectorXd& sample, double probability, double error) {
+  VectorXd values = error > 0.0 ? with_error(sample, error) : sample;
+  const auto n = static_cast<double>(values.size());
   const double place = std::clamp((n + 1.0 / 3.0) * probability + 1.0 / 3.0, 1.0, n);  // from 1
-  const auto below = static_cast<Index>(place) - 1;
-  return std::lerp(sorted(below), sorted(std::min(below + 1, sorted.size() - 1)), place - std::floor(place));
+  const auto below = values.begin() + (static_cast<Index>(place) - 1);
+  std::nth_element(values.begin(), below, values.end());
+  const auto above = below + 1 == values.end() ? below : std::min_element(below + 1, values.end());
+  return std::lerp(*below, *above, place - std::floor(place));
 }
 
 DesignKind propagation_design() {

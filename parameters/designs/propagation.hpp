@@ -39,20 +39,25 @@ inline constexpr int latin_runs = 10;  ///< of one Latin hypercube
 
 /// The probability that y exceeds a threshold, with its 95 % interval: by sections, cut off at 0 and 1; where
 /// fewer than five runs lie on either side, or all sections have the same share, that of Clopper & Pearson
-/// (1934, Biometrika 26, 404) for independent runs, which is wider.
-[[nodiscard]] Estimate exceedance(const Eigen::VectorXd& y, bool latin, double threshold);
+/// (1934, Biometrika 26, 404) for independent runs, which is wider. With a relative error of that standard
+/// deviation each run counts by its own probability.
+[[nodiscard]] Estimate exceedance(const Eigen::VectorXd& y, bool latin, double threshold, double error = 0.0);
 
 /// Whether the rule holds for the first `runs` entries of y.
-[[nodiscard]] bool suffices(const StopRule& rule, const Eigen::VectorXd& y, Eigen::Index runs, bool latin);
+[[nodiscard]] bool suffices(const StopRule& rule, const Eigen::VectorXd& y, Eigen::Index runs, bool latin,
+                            double error = 0.0);
 /// Numbers of runs after which the rule is looked at: 50, 60, 70 ... A rule that is looked at too early stops
 /// where the interval happens to be short (Glynn & Whitt 1992, Annals of Applied Probability 2, 180).
 inline constexpr int first_look = 50, look_interval = 10;
 
-// Numbers of a sample without NaN.
-/// n - 1 in the denominator; NaN of fewer than two.
-[[nodiscard]] double sample_deviation(const Eigen::VectorXd& sample);
+// Numbers of a sample without NaN; of one whose every value y is normal with mean y and standard deviation
+// `error` |y| about it, where an error is given.
+/// n - 1 in the denominator; NaN of fewer than two. sqrt(s^2 + error^2 mean(y^2)).
+[[nodiscard]] double sample_deviation(const Eigen::VectorXd& sample, double error = 0.0);
 /// Median-unbiased whatever the distribution (Hyndman & Fan 1996, The American Statistician 50, 361, type 8).
-[[nodiscard]] double sample_quantile(const Eigen::VectorXd& sample, double probability);
+/// With an error that of the sample with every value in place of 21, at the middles of as many equally likely
+/// parts of its normal distribution.
+[[nodiscard]] double sample_quantile(const Eigen::VectorXd& sample, double probability, double error = 0.0);
 
 [[nodiscard]] DesignKind propagation_design();
 

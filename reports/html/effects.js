@@ -23,7 +23,8 @@ function effects() {
   if (!data.effects.length) return;
   const section = byId("effects");
   section.hidden = false;
-  section.append(el("p", {}, `Design ${data.design.replaceAll("_", " ")}: inputs ${data.design === "propagation" ? "drawn from their distributions" : "changed together"}.`));
+  section.append(el("p", {}, `Design ${data.design.replaceAll("_", " ")}: inputs ${data.design === "propagation" ? "drawn from their distributions" : "changed together"}${
+    data.numerical_error ? `; standard deviation, quantiles, exceedance and bands hold a numerical error of ${data.numerical_error}` : ""}.`));
   for (const [k, window] of data.windows.entries()) {
     const rows = data.effects.filter((row) => row.window === window.name);
     section.append(el("h3", {}, window.name));

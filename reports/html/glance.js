@@ -86,7 +86,7 @@ function of_propagation(window) {
     `${estimated(deviation)}; nine of ten values lie between ${number(low.value)} and ${number(high.value)}${window.unit}` +
     `${effects_in(window, "exceedance").filter((one) => known(one.value)).map((one) => `; ${exceeded(one)}`).join("")}` +
     `${mean.dropped ? `; ${mean.dropped} runs are missing` : ""}.` +
-    `${data.stopped ? ` By the study's rule, ${data.stopped}.` : ""}`, ...share_of_variance(window)];
+    `${data.numerical_error ? ` A numerical error of ${data.numerical_error} is in it.` : ""}${data.stopped ? ` By the study's rule, ${data.stopped}.` : ""}`, ...share_of_variance(window)];
 }
 
 /// What the design adds: its largest bar, as drawn further down.

@@ -40,13 +40,19 @@ struct TrainedRun {
   friend bool operator==(const TrainedRun&, const TrainedRun&) = default;
 };
 
-/// A window's average of a channel, or its whole curve.
-struct EmulatedOutput {
-  std::string name;         ///< "deep.q_c_mean_kPa"; of a curve "q_c_kPa"
-  Eigen::VectorXd depth_m;  ///< of a curve's values; empty of an average
+/// What an output is: a window's average of a channel or its whole curve; of an external program the window's
+/// result or a declared curve.
+struct OutputLabel {
+  std::string name;  ///< "deep.q_c_mean_kPa", of a curve "q_c_kPa"; of an external program its own
+  std::string unit = "kPa";
+  std::string over = "depth", over_unit = "m";  ///< abscissa of a curve
+};
+
+struct EmulatedOutput : OutputLabel {
+  Eigen::VectorXd abscissa;  ///< [over_unit] of a curve's values, depths of a push; empty of an average
   OutputEmulator emulator;
   Validation validation;
-  [[nodiscard]] bool is_curve() const { return depth_m.size() > 0; }
+  [[nodiscard]] bool is_curve() const { return abscissa.size() > 0; }
 };
 
 struct Emulator {

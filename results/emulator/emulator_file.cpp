@@ -17,7 +17,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr const char* format_name = "emulator 2";
+constexpr const char* format_name = "emulator 3";
 
 std::string numbered(std::size_t i) { return fmt::format("{:04}", i + 1); }
 
@@ -84,14 +84,17 @@ void put_output(const Hdf5Group& group, const EmulatedOutput& output) {
   const OutputEmulator& emulator = output.emulator;
   const Validation& validation = output.validation;
   group.put_text("name", output.name);
+  group.put_text("unit", output.unit);
+  group.put_text("over", output.over);
+  group.put_text("over_unit", output.over_unit);
   group.put_number("logarithmic", emulator.logarithmic() ? 1.0 : 0.0);
   group.put_number("held_out_runs", validation.runs);
   group.put_number("Q2", validation.q2);
-  group.put_number("rmse_kPa", validation.rmse);
+  group.put_number("rmse", validation.rmse);
   group.put_number("coverage", validation.coverage);
   group.put_number("coverage_lower", validation.coverage_lower);
   group.put_number("coverage_upper", validation.coverage_upper);
-  group.put_array("depth_m", flat(output.depth_m), "m");
+  group.put_array("abscissa", flat(output.abscissa), output.over_unit);
   group.put_array("mean", flat(emulator.components().mean));
   group.put_array("left_out_variance", flat(emulator.components().left_out));
   group.put_array("left_out_correlation", flat(emulator.components().left_out_correlation));
@@ -124,18 +127,19 @@ EmulatedOutput output_in(const Hdf5Group& group, const MatrixXd& design) {
   components.left_out_correlation = vector_in(group, "left_out_correlation");
   components.shapes =
       matrix_in(group, "shapes", components.mean.size(), static_cast<Index>(processes.size()));
-  VectorXd depth = vector_in(group, "depth_m");
-  if (depth.size() != (depth.size() == 0 ? 0 : components.mean.size()) ||
-      (depth.size() == 0 && components.mean.size() != 1))
-    throw Error("a curve has not as many depths as values");
+  VectorXd abscissa = vector_in(group, "abscissa");
+  if (abscissa.size() != (abscissa.size() == 0 ? 0 : components.mean.size()) ||
+      (abscissa.size() == 0 && components.mean.size() != 1))
+    throw Error("a curve has not as many abscissas as values");
   Validation validation;
   validation.runs = count_in(group, "held_out_runs");
   validation.q2 = number_in(group, "Q2");
-  validation.rmse = number_in(group, "rmse_kPa");
+  validation.rmse = number_in(group, "rmse");
   validation.coverage = number_in(group, "coverage");
   validation.coverage_lower = number_in(group, "coverage_lower");
   validation.coverage_upper = number_in(group, "coverage_upper");
-  return {group.text("name"), std::move(depth),
+  return {{group.text("name"), group.text("unit"), group.text("over"), group.text("over_unit")},
+          std::move(abscissa),
           OutputEmulator(std::move(components), std::move(processes), number_in(group, "logarithmic") != 0.0),
           validation};
 }

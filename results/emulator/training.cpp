@@ -184,6 +184,20 @@ class Trainer {
       made_.notes.push_back(fmt::format("{} left out: not every run has it", output.name));
   }
 
+  // The results of an external program's windows.
+  void add_result(const WindowRow& window) {
+    const std::map<int, Index> column = columns();
+    const std::string name =
+        window.is_scalar() ? window.name : fmt::format("{}.{}_mean", window.name, window.output);
+    TrainingOutput output{{name, window.output_unit, "", ""},
+                          {},
+                          MatrixXd::Constant(1, static_cast<Index>(made_.runs.size()), std::nan(""))};
+    for (const WindowMeanRow& mean : campaign_.window_means)
+      if (mean.window == window.name && column.contains(mean.realization))
+        output.values(column.at(mean.realization)) = mean.q_c_mean_kPa;
+    add(std::move(output));
+  }
+
   void add_averages() {
     const std::map<int, Index> column = columns();
     for (const WindowRow& window : campaign_.windows) {
@@ -191,10 +205,14 @@ class Trainer {
         made_.notes.push_back(fmt::format("window {} left out: {}", window.name, window.problem));
         continue;
       }
+      if (campaign_.is_external()) {
+        add_result(window);
+        continue;
+      }
       for (std::size_t c = 0; c < solver::channels().size(); ++c) {
         const solver::Channel& channel = solver::channels()[c];
         if (!std::isfinite(channel.deviation_over_q_c)) continue;  // no sounding measures it
-        TrainingOutput output{fmt::format("{}.{}_mean_kPa", window.name, channel.name),
+        TrainingOutput output{{fmt::format("{}.{}_mean_kPa", window.name, channel.name)},
                               {},
                               MatrixXd::Constant(1, static_cast<Index>(made_.runs.size()), std::nan(""))};
         for (const WindowMeanRow& mean : campaign_.window_means)
@@ -206,48 +224,64 @@ class Trainer {
     }
   }
 
+  // A curve of each run and of the baseline: its abscissa and its values.
+  using Curve = std::pair<const std::vector<double>*, const std::vector<double>*>;
+
+  // At the baseline's abscissa as far as every run's goes, `scale` in the output's unit.
+  void add_curve(OutputLabel label, const Curve& baseline, const std::vector<Curve>& curves, double scale) {
+    double from = baseline.first->front(), to = baseline.first->back();
+    for (const Curve& curve : curves) {
+      from = std::max(from, curve.first->front());
+      to = std::min(to, curve.first->back());
+    }
+    std::vector<double> at;
+    for (const double x : *baseline.first)
+      if (x >= from && x <= to) at.push_back(x);
+    TrainingOutput output{
+        std::move(label), Eigen::Map<const VectorXd>(at.data(), static_cast<Index>(at.size())),
+        MatrixXd::Constant(static_cast<Index>(at.size()), static_cast<Index>(curves.size()), std::nan(""))};
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const auto& [abscissa, values] = curves[i];
+      for (std::size_t k = 0; k < at.size() && !values->empty(); ++k)
+        output.values(static_cast<Index>(k), static_cast<Index>(i)) =
+            value_at_depth(*abscissa, *values, at[k]) / scale;
+    }
+    add(std::move(output));
+  }
+
   void add_curves() {
     const std::map<int, Index> column = columns();
-    std::vector<const solver::DepthProfile*> curves(made_.runs.size(), nullptr);
+    std::vector<const solver::DepthProfile*> profiles(made_.runs.size(), nullptr);
     const solver::DepthProfile* baseline = nullptr;
     for (const CurveRow& row : campaign_.curves) {
       if (row.realization == 1) baseline = &row.profile;
       if (column.contains(row.realization))
-        curves[static_cast<std::size_t>(column.at(row.realization))] = &row.profile;
+        profiles[static_cast<std::size_t>(column.at(row.realization))] = &row.profile;
     }
     const bool all = std::ranges::none_of(
-        curves, [](const auto* curve) { return curve == nullptr || curve->depth.empty(); });
-    if (baseline == nullptr || !all) {
+        profiles, [](const auto* profile) { return profile == nullptr || profile->is_empty(); });
+    if (baseline == nullptr || baseline->is_empty() || !all) {
       made_.notes.emplace_back("curves left out: not every run has one");
       return;
     }
-    double from = baseline->depth.front(), to = baseline->depth.back();
-    for (const solver::DepthProfile* curve : curves) {
-      from = std::max(from, curve->depth.front());
-      to = std::min(to, curve->depth.back());
-    }
-    std::vector<double> depth;
-    for (const double z : baseline->depth)
-      if (z >= from && z <= to) depth.push_back(z);
-    for (const solver::Channel& channel : solver::channels())
-      if (std::isfinite(channel.deviation_over_q_c)) add_curve(channel, depth, curves);
-  }
-
-  void add_curve(const solver::Channel& channel, const std::vector<double>& depth,
-                 const std::vector<const solver::DepthProfile*>& curves) {
+    const auto add_each = [&](OutputLabel label, double scale, auto curve_of) {
+      std::vector<Curve> curves;
+      for (const solver::DepthProfile* profile : profiles) curves.push_back(curve_of(*profile));
+      add_curve(std::move(label), curve_of(*baseline), curves, scale);
+    };
     constexpr double kPa = 1.0e3;  // [Pa]
-    TrainingOutput output{solver::in_unit(channel, "kPa"),
-                          Eigen::Map<const VectorXd>(depth.data(), static_cast<Index>(depth.size())),
-                          MatrixXd::Constant(static_cast<Index>(depth.size()),
-                                             static_cast<Index>(curves.size()), std::nan(""))};
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      const std::vector<double>& values = curves[i]->*channel.values;
-      if (values.empty()) continue;
-      for (std::size_t z = 0; z < depth.size(); ++z)
-        output.values(static_cast<Index>(z), static_cast<Index>(i)) =
-            value_at_depth(curves[i]->depth, values, depth[z]) / kPa;
-    }
-    add(std::move(output));
+    if (!campaign_.is_external())
+      for (const solver::Channel& channel : solver::channels())
+        if (std::isfinite(channel.deviation_over_q_c))
+          add_each({solver::in_unit(channel, "kPa")}, kPa, [&](const solver::DepthProfile& of) {
+            return Curve{&of.depth, &(of.*channel.values)};
+          });
+    for (std::size_t k = 0; k < campaign_.outputs.size(); ++k)
+      if (const OutputRow& output = campaign_.outputs[k]; !output.over.empty())
+        add_each({output.name, output.unit, output.over, output.over_unit}, 1.0,
+                 [k](const solver::DepthProfile& of) {
+                   return Curve{&of.declared[k].x, &of.declared[k].y};
+                 });
   }
 
   std::set<std::string> drawn_;  // seeds and shifts that runs draw
@@ -279,7 +313,7 @@ Emulator make_emulator(const TrainingRuns& runs, std::vector<std::string>& notes
     try {
       OutputEmulator emulator = OutputEmulator::fit(runs.places, output.values);
       const Validation validation = cross_validation(runs.places, output.values, emulator.logarithmic());
-      made.outputs.push_back({output.name, output.depth_m, std::move(emulator), validation});
+      made.outputs.push_back({output, output.abscissa, std::move(emulator), validation});
     } catch (const std::invalid_argument& problem) {
       notes.push_back(fmt::format("{} left out: {}", output.name, problem.what()));
     }

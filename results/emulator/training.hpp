@@ -12,10 +12,9 @@
 namespace cpt::results {
 
 /// An output of the training runs.
-struct TrainingOutput {
-  std::string name;         ///< as EmulatedOutput's
-  Eigen::VectorXd depth_m;  ///< of a curve; empty of an average
-  Eigen::MatrixXd values;   ///< [kPa] values x runs
+struct TrainingOutput : OutputLabel {
+  Eigen::VectorXd abscissa;  ///< of a curve; empty of an average
+  Eigen::MatrixXd values;    ///< [its unit] values x runs
 };
 
 struct TrainingRuns {
@@ -33,7 +32,8 @@ struct TrainingRuns {
 /// have twins. A range is the row's bounds, of a row with a distribution its 0.05 % to 99.95 % quantiles and
 /// whatever runs lie beyond; it is logarithmic where the median is nearer to the middle in ln(value).
 /// Outputs are the averages of q_c and f_s over each window and their curves, at the baseline's depths as far
-/// down as every run came. Throws Error where there are no such inputs, fewer runs than
+/// down as every run came; of an external program the results of the windows and the declared curves, alike.
+/// Throws Error where there are no such inputs, fewer runs than
 /// least_training_runs, or no output.
 [[nodiscard]] TrainingRuns training_runs(const parameters::Study& study, const Snapshot& campaign);
 

@@ -26,7 +26,7 @@ std::vector<double> common_depths(const std::vector<const DepthProfile*>& curves
   return depths;
 }
 
-DepthBandRow row_of(std::string_view channel, double depth, const VectorXd& y, bool latin) {
+DepthBandRow row_of(std::string_view channel, double depth, const VectorXd& y, bool latin, double error) {
   DepthBandRow row{std::string(channel),
                    depth,
                    static_cast<int>((y.array() == y.array()).count()),
@@ -36,10 +36,14 @@ DepthBandRow row_of(std::string_view channel, double depth, const VectorXd& y, b
   if (row.runs < 2) return row;
   row.mean = parameters::by_sections(
       y, 1, [](const VectorXd& of) { return of.mean(); }, latin);
-  row.standard_deviation = parameters::by_sections(y, 2, parameters::sample_deviation, latin).value;
+  row.standard_deviation =
+      parameters::by_sections(
+          y, 2, [error](const VectorXd& of) { return parameters::sample_deviation(of, error); }, latin)
+          .value;
   for (std::size_t k = 0; k < band_quantiles.size(); ++k)
     row.quantiles[k] = parameters::by_sections(
-        y, 2, [k](const VectorXd& of) { return parameters::sample_quantile(of, band_quantiles[k]); }, latin);
+        y, 2, [=](const VectorXd& of) { return parameters::sample_quantile(of, band_quantiles[k], error); },
+        latin);
   return row;
 }
 
@@ -63,7 +67,9 @@ std::vector<DepthBandRow> depth_bands(const parameters::Study& study, const Snap
         y(static_cast<Index>(k)) =
             curves[k] == nullptr ? std::numeric_limits<double>::quiet_NaN()
                                  : value_at_depth(curves[k]->depth, curves[k]->*channel.values, depth) / kPa;
-      DepthBandRow row = row_of(channel.name, depth, y, study.design.latin);
+      const auto number = static_cast<std::size_t>(&channel - solver::channels().data());
+      DepthBandRow row =
+          row_of(channel.name, depth, y, study.design.latin, study.design.numerical_error[number]);
       if (row.runs > 0) rows.push_back(std::move(row));
     }
   return rows;

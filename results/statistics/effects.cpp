@@ -16,6 +16,7 @@
 #include "results/statistics/propagation_convergence.hpp"
 #include "results/statistics/stored_design.hpp"
 #include "results/statistics/window_effects.hpp"
+#include "solver/channels.hpp"
 
 namespace cpt::results {
 
@@ -52,6 +53,15 @@ Eigen::Index group_of(const parameters::Design& design) {
   return design.kind == "sobol" ? parameters::width_of(design) + 2 : 1;
 }
 
+std::string error_words(const parameters::Design& design) {
+  std::string words;
+  for (std::size_t k = 0; k < design.numerical_error.size(); ++k)
+    if (const double error = design.numerical_error[k]; error > 0.0)
+      words +=
+          fmt::format("{}{:g} % of {}", words.empty() ? "" : ", ", 100.0 * error, solver::channels()[k].name);
+  return words;
+}
+
 constexpr int convergence_steps = 6;
 
 }  // namespace
@@ -70,6 +80,7 @@ Effects design_effects(const Snapshot& s) {
   if (!stored.study || stored.runs.empty()) return effects;
   effects.design = stored.study->design.kind;
   effects.stopped = stored.stopped;
+  effects.numerical_error = error_words(stored.study->design);
   for (const RealizationRow* run : stored.runs)
     if (run != nullptr) effects.runs.push_back(run->id);
   const Estimator* estimator = estimator_of(effects.design);

@@ -38,7 +38,9 @@ struct Effects {
   std::vector<EffectRow> index_convergence;
   std::vector<DepthBandRow> bands;  ///< of a propagation
   std::string stopped;              ///< of a design with a rule to stop: what it says, in a sentence
-  std::string problem;              ///< why the stored study cannot be read; empty if it can
+  /// Of a propagation to which one is added: "5 % of q_c, 35 % of f_s"; else empty.
+  std::string numerical_error;
+  std::string problem;  ///< why the stored study cannot be read; empty if it can
 };
 
 /// "3 of 4 repeats so far"; empty once none is to come.

@@ -24,6 +24,7 @@ void add_convergence(const WindowEffects& w, std::vector<ConvergenceRow>& rows) 
   const int step = parameters::look_interval *
                    std::max(1, (ended / parameters::look_interval + most_numbers - 1) / most_numbers);
   const bool latin = w.study.design.latin;
+  const double error = w.study.design.numerical_error.front();
   for (int runs = step; runs <= ended; runs += step) {
     const VectorXd y = w.y.head(runs);
     rows.push_back({w.window.name, "mean", runs,
@@ -33,7 +34,8 @@ void add_convergence(const WindowEffects& w, std::vector<ConvergenceRow>& rows) 
       rows.push_back(
           {w.window.name, std::string(name), runs,
            parameters::by_sections(
-               y, 2, [p = probability](const VectorXd& of) { return parameters::sample_quantile(of, p); },
+               y, 2,
+               [=, p = probability](const VectorXd& of) { return parameters::sample_quantile(of, p, error); },
                latin)});
   }
 }

@@ -28,7 +28,7 @@ std::optional<std::size_t> runs_that_suffice(const parameters::Study& study, con
   if (averages.empty()) return std::nullopt;
   for (Index count = parameters::first_look; count <= ended; count += parameters::look_interval)
     if (std::ranges::all_of(averages, [&](const VectorXd& y) {
-          return parameters::suffices(*design.until, y, count, design.latin);
+          return parameters::suffices(*design.until, y, count, design.latin, design.numerical_error.front());
         }))
       return static_cast<std::size_t>(count);
   return std::nullopt;

@@ -118,7 +118,8 @@ void add_window(TwoFidelities& both, const std::string& window, const std::strin
   };
   both.rows.push_back({window, unit, "mean", alone(1, [](const Eigen::VectorXd& y) { return y.mean(); }),
                        parameters::combined_mean(levels, latin)});
-  both.rows.push_back({window, unit, "standard_deviation", alone(2, parameters::sample_deviation),
+  both.rows.push_back({window, unit, "standard_deviation",
+                       alone(2, [](const Eigen::VectorXd& y) { return parameters::sample_deviation(y); }),
                        parameters::combined_deviation(levels, latin)});
   for (const auto& [name, probability] : fidelity_quantiles)
     both.rows.push_back(

@@ -74,8 +74,7 @@ TEST_F(Emulate, IsMadeAskedAndRefusedWhenStale) {
   ASSERT_EQ(points.exit_code, 0) << points.err;
   expect_part(points.out, "a,deep.q_c_mean_kPa,");
   expect_part(points.out, "b,deep.f_s_mean_kPa,");
-  expect_part(folder.read("curves.csv"),
-              "point,output,depth_m,value_kPa,standard_error_kPa,lower_kPa,upper_kPa");
+  expect_part(folder.read("curves.csv"), "point,output,depth_m,value,standard_error,lower,upper,unit");
   expect_part(folder.read("curves.csv"), "\nb,q_c_kPa,");
 
   // Points to run next are appended, run, and make the emulator stale until it is made anew.

@@ -383,6 +383,42 @@ TEST_F(ExternalSolver, DesignsAreDrawnInTheOutputsUnit) {
     EXPECT_EQ(figure.find(word), std::string::npos) << word << " in " << figure;
 }
 
+// An emulator of a scalar, of a window and of a curve over the program's own abscissa, each in its own unit.
+TEST_F(ExternalSolver, IsEmulatedAndPredicted) {
+  folder.write("decay.awk", R"awk({
+  gsub(/[^0-9.e+-]+/, " "); a = $1; b = $2
+  printf "{\"product\": %.17g, \"time\": [0, 1, 2, 3, 4], \"load\": [", a * b
+  for (t = 0; t < 5; ++t) printf "%s%.17g", t ? ", " : "", a * exp(-b * t)
+  print "]}" })awk");
+  const Result ran = campaign_of(
+      "[solver]\ncommand = [\"awk\", \"-f\", \"decay.awk\"]\n[solver.inputs]\na = 2\nb = 0.5\n"
+      "[solver.outputs]\nproduct = { unit = \"mm\" }\nload = { unit = \"kN\", over = \"time\", over_unit = "
+      "\"d\" }\n"
+      "[parameters]\na = { lower = 1, upper = 3 }\nb = { lower = 0.4, upper = 0.6 }\n"
+      "[[windows]]\nname = \"late\"\noutput = \"load\"\nfrom = 2\nto = 4\n"
+      "[design]\nkind = \"latin_hypercube\"\nruns = 40\n");
+  ASSERT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  const Result made = run(campaign({"emulate", folder.file("other.toml"), "--format", "csv"}));
+  ASSERT_EQ(made.exit_code, 0) << made.out << made.err;
+  EXPECT_EQ(columns_of(made.out).at("output"),
+            (std::vector<std::string>{"product", "late.load_mean", "load"}));
+  EXPECT_EQ(columns_of(made.out).at("unit"), (std::vector<std::string>{"mm", "kN", "kN"}));
+  const Result at = run(campaign({"predict", folder.file("other.toml"), "--set", "a=2.5", "--set", "b=0.45",
+                                  "--curves", folder.file("curve.csv"), "--format", "csv"}));
+  ASSERT_EQ(at.exit_code, 0) << at.err;
+  const auto averages = columns_of(at.out), curve = columns_of(folder.read("curve.csv"));
+  EXPECT_NEAR(std::stod(averages.at("value")[0]), 2.5 * 0.45, 0.01);
+  EXPECT_EQ(averages.at("unit")[0], "mm");
+  const double late = 2.5 / 3.0 * (std::exp(-0.9) + std::exp(-1.35) + std::exp(-1.8));
+  EXPECT_NEAR(std::stod(averages.at("value")[1]), late, 0.01);
+  ASSERT_EQ(curve.at("time_d").size(), 5U);
+  EXPECT_NEAR(std::stod(curve.at("value")[3]), 2.5 * std::exp(-1.35), 0.01);
+  EXPECT_EQ(curve.at("unit")[3], "kN");
+  const Result next = run(campaign({"emulate", folder.file("other.toml"), "--next", "2"}));
+  EXPECT_EQ(next.exit_code, 0) << next.err;
+  EXPECT_NE(next.out.find("[[points]]"), std::string::npos) << next.out;
+}
+
 TEST_F(ExternalSolver, CommandsAboutPushesRefuseIt) {
   (void)study(ishigami_study(2));
   const Result result = run(campaign({"push", folder.file("other.toml")}));

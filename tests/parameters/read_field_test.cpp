@@ -95,6 +95,26 @@ TEST(ShiftPoints, IsRefusedWhereItMeansNothing) {
             std::string::npos);
 }
 
+TEST(NumericalError, IsReadByChannelAndRefusedWhereItMeansNothing) {
+  const std::string one = "\"clay.G_kPa\" = { lower = 500, upper = 600 }\n";
+  const std::string start = "[design]\nkind = \"propagation\"\nruns = 20\nnumerical_error_percent = ";
+  const auto read = parsed(one, start + "{ q_c = 5, f_s = 35 }\n");
+  ASSERT_TRUE(std::holds_alternative<Study>(read)) << format(std::get<std::vector<StudyError>>(read));
+  EXPECT_DOUBLE_EQ(std::get<Study>(read).design.numerical_error[0], 0.05);
+  EXPECT_DOUBLE_EQ(std::get<Study>(read).design.numerical_error[1], 0.35);
+  EXPECT_EQ(std::get<Study>(read).design.numerical_error[2], 0.0);
+  const auto message = [&](const std::string& design) {
+    const auto bad = parsed(one, design);
+    return std::holds_alternative<Study>(bad) ? "" : format(std::get<std::vector<StudyError>>(bad));
+  };
+  EXPECT_NE(message("[design]\nkind = \"morris\"\nnumerical_error_percent = { q_c = 5 }\n")
+                .find("means nothing to morris; it belongs to propagation"),
+            std::string::npos);
+  EXPECT_NE(message(start + "5\n").find("must be a table, not"), std::string::npos);
+  EXPECT_NE(message(start + "{ qc = 5 }\n").find("qc"), std::string::npos);
+  EXPECT_NE(message(start + "{ q_c = -5 }\n").find("-5 must be from 0 to 100"), std::string::npos);
+}
+
 TEST(Field, StaysThatOfTheBaselineWhereADesignDrawsNothing) {
   const auto read = parsed(row + "\"contact.adhesion_ratio\" = { lower = 0.3, upper = 0.7 }\n",
                            "[design]\nkind = \"morris\"\ntrajectories = 2\n");

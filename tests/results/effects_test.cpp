@@ -294,6 +294,28 @@ TEST_F(EffectsOf, BandsHoldTheChannelsAtEveryDepth) {
   EXPECT_EQ(bands_table(effects).rows.front().size(), bands_table(effects).columns.size());
 }
 
+// The mean stays, the rest is wider, each channel by its own error; the words say so.
+TEST_F(EffectsOf, NumericalErrorWidensWindowsAndBands) {
+  const std::string design = "[design]\nkind = \"propagation\"\nruns = 50\n";
+  const Effects without = design_effects(run(design));
+  std::filesystem::remove(folder / "study.sqlite");
+  const Effects with = design_effects(run(design + "numerical_error_percent = { q_c = 30 }\n"));
+  EXPECT_EQ(with.numerical_error, "30 % of q_c");
+  EXPECT_EQ(without.numerical_error, "");
+  EXPECT_EQ(row(with, "mean", "").value, row(without, "mean", "").value);
+  EXPECT_GT(row(with, "standard_deviation", "").value, 1.2 * row(without, "standard_deviation", "").value);
+  EXPECT_GT(row(with, "quantile_95", "").value, row(without, "quantile_95", "").value);
+  EXPECT_NE(row(with, "mean", "").method.find("with a numerical error of 30 %"), std::string::npos);
+  EXPECT_EQ(with.convergence.back().estimate.value, row(with, "quantile_95", "").value);
+  for (std::size_t k = 0; k < with.rows.size(); ++k)
+    EXPECT_TRUE(with.rows[k].parameter.empty() || with.rows[k].value == without.rows[k].value);
+  ASSERT_EQ(with.bands.size(), without.bands.size());
+  for (std::size_t k = 0; k < with.bands.size(); ++k) {
+    const bool of_tip = with.bands[k].channel == "q_c";
+    EXPECT_EQ(with.bands[k].standard_deviation > without.bands[k].standard_deviation, of_tip);
+  }
+}
+
 TEST_F(EffectsOf, ConvergenceEndsWithTheNumbersOfAllRuns) {
   const Effects effects = design_effects(run("[design]\nkind = \"propagation\"\nruns = 100\n"));
   std::vector<ConvergenceRow> means;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <array>
 #include <string>
 #include <string_view>
@@ -17,16 +19,16 @@ constexpr double kPa = 1e3;  // [Pa]
 struct Number {
   std::string_view name;
   int least;  ///< entries of a section that it takes
-  double (*of)(const VectorXd&);
+  double (*of)(const VectorXd&, double error);
 };
 
 template <int Percent>
-double percentile(const VectorXd& sample) {
-  return parameters::sample_quantile(sample, Percent / 100.0);
+double percentile(const VectorXd& sample, double error) {
+  return parameters::sample_quantile(sample, Percent / 100.0, error);
 }
 
 constexpr std::array numbers = {
-    Number{"mean", 1, [](const VectorXd& y) { return y.mean(); }},
+    Number{"mean", 1, [](const VectorXd& y, double) { return y.mean(); }},
     Number{"standard_deviation", 2, parameters::sample_deviation},
     Number{"quantile_05", 2, percentile<5>},
     Number{"quantile_25", 2, percentile<25>},
@@ -55,17 +57,20 @@ void add_shapley_effects(WindowEffects& w) {
 void add_propagation_effects(WindowEffects& w) {
   const auto used = static_cast<int>((w.y.array() == w.y.array()).count());
   const auto dropped = static_cast<int>(w.y.size()) - used;
+  const double error = w.study.design.numerical_error.front();
   const std::string method =
-      w.study.design.latin ? "Latin hypercubes, ten sections" : "randomized Sobol' points, ten sections";
+      std::string(w.study.design.latin ? "Latin hypercubes" : "randomized Sobol' points") + ", ten sections" +
+      (error > 0.0 ? fmt::format(", with a numerical error of {:g} %", 100.0 * error) : "");
   for (const Number& number : numbers) {
-    const auto estimate = parameters::by_sections(w.y, number.least, number.of, w.study.design.latin);
+    const auto estimate = parameters::by_sections(
+        w.y, number.least, [&](const VectorXd& y) { return number.of(y, error); }, w.study.design.latin);
     w.rows.push_back({w.window.name, "", "", std::string(number.name), w.window.unit(), estimate.value,
                       estimate.lower, estimate.upper, used, dropped, w.remarks, method, used});
   }
   for (const parameters::Window& window : w.study.windows)
     if (window.name == w.window.name)
       for (const double threshold : window.thresholds) {
-        const auto share = parameters::exceedance(w.y * kPa, w.study.design.latin, threshold);
+        const auto share = parameters::exceedance(w.y * kPa, w.study.design.latin, threshold, error);
         w.rows.push_back({w.window.name, "", "", "exceedance", "-", share.value, share.lower, share.upper,
                           used, dropped, w.remarks, method, used, threshold / kPa});
       }

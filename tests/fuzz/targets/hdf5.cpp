@@ -55,9 +55,9 @@ std::string emulator() {
   made.study = "study";
   made.inputs = {{"sand.H", "-", 25.0, 75.0, 50.0, false, false, {}}};
   for (int i = 0; i < 7; ++i) made.runs.push_back({i + 1, "0123"});
-  made.outputs.push_back({"deep.q_c_mean_kPa", {}, results::OutputEmulator::fit(places, average), {}});
+  made.outputs.push_back({{"deep.q_c_mean_kPa"}, {}, results::OutputEmulator::fit(places, average), {}});
   made.outputs.push_back(
-      {"q_c_kPa", Eigen::Vector3d(0.1, 0.2, 0.3), results::OutputEmulator::fit(places, curve), {}});
+      {{"q_c_kPa"}, Eigen::Vector3d(0.1, 0.2, 0.3), results::OutputEmulator::fit(places, curve), {}});
   results::write_emulator(file, made);
   return bytes_of(file);
 }
@@ -70,7 +70,7 @@ void use_emulator(const std::filesystem::path& file) {
   for (const results::EmulatedOutput& output : read.outputs) {
     const results::OutputPrediction at = output.emulator.predict(middle);
     promise(at.value.rows() == output.emulator.values() && at.value.cols() == 1, "a value for each depth");
-    promise(!output.is_curve() || output.depth_m.size() == at.value.rows(), "a depth for each value");
+    promise(!output.is_curve() || output.abscissa.size() == at.value.rows(), "a depth for each value");
   }
 }
 

@@ -89,6 +89,27 @@ TEST(Exceedance, IsAShareWithAnIntervalThatIsNeverEmpty) {
   EXPECT_TRUE(std::isnan(exceedance(VectorXd::Constant(3, NAN), false, 1.0).value));
 }
 
+// A normal sample with a relative error: mean 100, deviation 10 and 5 % of about 100.
+TEST(NumericalError, WidensASampleAsTheSumOfTwoNormals) {
+  const boost::math::normal soil(100.0, 10.0);
+  constexpr Index n = 4000;
+  VectorXd y(n);
+  for (Index i = 0; i < n; ++i) y(i) = quantile(soil, (static_cast<double>(i) + 0.5) / n);
+  const double both = std::sqrt(100.0 + 0.0025 * (100.0 * 100.0 + 100.0));
+  EXPECT_NEAR(sample_deviation(y, 0.05), both, 0.005 * both);
+  for (const double p : {0.05, 0.5, 0.95}) {  // of the mixture, which is a little skewed
+    const double found = sample_quantile(y, p, 0.05);
+    double below = 0.0;
+    for (const double value : y) below += cdf(boost::math::normal(value, 0.05 * value), found) / n;
+    EXPECT_NEAR(below, p, 0.002);
+  }
+  EXPECT_NEAR(exceedance(y, false, 115.0, 0.05).value,
+              cdf(complement(boost::math::normal(100.0, both), 115.0)), 0.004);
+  EXPECT_EQ(sample_quantile(y, 0.95, 0.0), sample_quantile(y, 0.95));
+  EXPECT_EQ(exceedance(y, false, 115.0, 0.0).upper, exceedance(y, false, 115.0).upper);
+  EXPECT_FALSE(suffices({0.95, 0.001}, y, 50, false, 0.05));
+}
+
 TEST(Suffices, LooksAtTheFirstRunsAndTheirNumberAlone) {
   VectorXd y = propagation_places(1, 100, 1).col(0).array() + 9.5;  // a mean of 10
   const StopRule mean{NAN, 0.01}, quantile{0.9, 0.01}, hopeless{NAN, 1e-9};
@@ -121,7 +142,7 @@ TEST(BySections, IntervalsHoldTheTruthAsOftenAsTheySay) {
         return by_sections(sample, least, number, latin);
       };
       mean += holds(of(y, 1, [](const VectorXd& s) { return s.mean(); }), 1.0);
-      deviation += holds(of(sum, 2, sample_deviation), 2.0);
+      deviation += holds(of(sum, 2, [](const VectorXd& s) { return sample_deviation(s); }), 2.0);
       median += holds(of(sum, 2, [](const VectorXd& s) { return sample_quantile(s, 0.5); }), 0.0);
       exceeded += holds(exceedance(sum, latin, 2.0), cdf(complement(normal, 1.0)));
     }

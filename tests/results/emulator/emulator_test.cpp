@@ -91,7 +91,7 @@ TEST_F(EmulatorOf, AStudyLearnsFromTheRunsThatVaryItsInputs) {
   EXPECT_EQ(runs.outputs[0].name, "deep.q_c_mean_kPa");
   EXPECT_EQ(runs.outputs[1].name, "deep.f_s_mean_kPa");
   EXPECT_EQ(runs.outputs[2].name, "q_c_kPa");
-  EXPECT_EQ(runs.outputs[2].depth_m.size(), 800);
+  EXPECT_EQ(runs.outputs[2].abscissa.size(), 800);
   EXPECT_EQ(runs.outputs[3].name, "f_s_kPa");
 }
 
@@ -172,7 +172,7 @@ TEST(EmulatorInputs, HavePlacesAndRanges) {
 Emulator emulator_of(const MatrixXd& design, const Function& function) {
   Emulator emulator;
   emulator.outputs.push_back(
-      {"y", {}, OutputEmulator::fit(design, values(function, design).transpose(), false), {}});
+      {{"y"}, {}, OutputEmulator::fit(design, values(function, design).transpose(), false), {}});
   return emulator;
 }
 
