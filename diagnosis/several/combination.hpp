@@ -1,0 +1,57 @@
+// Evidence of effects at once, in one metric: the normal densities of all combinations of their nodes.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "diagnosis/several/effect_nodes.hpp"
+#include "diagnosis/several/metric.hpp"
+
+namespace cpt::diagnosis {
+
+inline constexpr std::size_t most_effects = 3;
+
+/// A node of each of a subset's effects.
+struct Combination {
+  std::array<Index, most_effects> node = {};
+  double log_weight = 0.0;  ///< ln of prior weight times density
+};
+
+/// What is to be explained, recorded less the null's mean, as the columns see it.
+struct Target {
+  VectorXd onto;  // columns' products with it
+  double square;  // of its length
+};
+
+class Combinations {
+ public:
+  /// Keeps the effects' columns whitened by the metric, and their products.
+  Combinations(const Metric& metric, const std::vector<EffectNodes>& effects);
+
+  /// Of recorded less the null's mean (n) [ln].
+  [[nodiscard]] Target target(const VectorXd& residual) const;
+
+  /// ln of the evidence of these effects together (at most three of them, each once), the density averaged
+  /// over all combinations of their nodes. Those within `within` of the best go to `kept`, where one is
+  /// given.
+  [[nodiscard]] double log_evidence(const Target& target, std::span<const std::size_t> effects,
+                                    std::vector<Combination>* kept = nullptr, double within = 8.0) const;
+
+  /// ln N(residual; sum of curves, C + sum of U U^T) at one combination, and where asked for the mean of the
+  /// columns' normals given the residual, effect after effect.
+  [[nodiscard]] double log_density(const Target& target, std::span<const std::size_t> effects,
+                                   const Combination& at, VectorXd* columns = nullptr) const;
+
+ private:
+  struct Block {
+    Index first;    // its curve's column
+    Index columns;  // of its spread, behind it
+  };
+  std::vector<std::vector<Block>> blocks_;  // of each effect's nodes
+  std::vector<VectorXd> log_weights_;
+  MatrixXd whitening_, whitened_, products_;
+  double constant_;  // of a density's logarithm
+};
+
+}  // namespace cpt::diagnosis
