@@ -17,10 +17,20 @@ namespace {
 
 using parameters::Side;
 
-// The finished curves of one sounding on its grid.
+constexpr double least_reading = 1e3;  // [Pa]: logarithms of what a zero's offset leaves, of a sleeve at rest
+
+// ln of the cell means of a channel. No q_c is none; other channels have zeros.
+VectorXd channel_means(const SoundingGrid& grid, std::span<const double> depth, std::vector<double> values,
+                       const solver::Channel& channel) {
+  if (channel.name != "q_c")
+    for (double& value : values) value = std::max(value, least_reading);  // NaN stays
+  return log_cell_means(grid, depth, values);
+}
+
+// The finished curves of one sounding on its grid, channel behind channel.
 class Curves {
  public:
-  Curves(const SoundingData& data, const SoundingGrid& grid, const solver::Channel& measured)
+  Curves(const SoundingData& data, const SoundingGrid& grid, const ChannelList& measured)
       : data_(data), grid_(grid), measured_(measured) {
     realizations_ = parameters::all_realizations(data.study.study);
   }
@@ -59,8 +69,6 @@ class Curves {
   [[nodiscard]] std::optional<VectorXd> baseline() const { return of(baseline_id()); }
 
  private:
-  static constexpr double least_reading = 1e3;  // [Pa]: logarithms of what an offset leaves
-
   [[nodiscard]] const solver::DepthProfile* profile_of(int id) const {
     for (const results::RealizationRow& row : data_.campaign.realizations)
       if (row.id == id && !row.completed()) return nullptr;
@@ -69,12 +77,15 @@ class Curves {
     return nullptr;
   }
   [[nodiscard]] VectorXd means(const solver::DepthProfile& profile) const {
-    return log_cell_means(grid_, profile.depth, profile.*measured_.values);
+    std::vector<VectorXd> channels;
+    for (const solver::Channel* channel : measured_)
+      channels.push_back(channel_means(grid_, profile.depth, profile.*channel->values, *channel));
+    return concatenate(channels);
   }
 
   const SoundingData& data_;
   SoundingGrid grid_;
-  const solver::Channel& measured_;
+  const ChannelList& measured_;
   std::vector<parameters::Realization> realizations_;
 };
 
@@ -90,33 +101,36 @@ std::optional<VectorXd> joined_run(const std::vector<Curves>& soundings, const G
   return concatenate(parts);
 }
 
-VectorXd recorded_cells(const recordings::Recording& recording, const SoundingGrid& grid) {
-  return log_cell_means(grid, recordings::column(recording, &recordings::Reading::depth),
-                        recordings::column(recording, &recordings::Reading::q_c));
+VectorXd recorded_cells(const recordings::Recording& recording, const SoundingGrid& grid,
+                        const solver::Channel& channel) {
+  double recordings::Reading::*reading =
+      channel.name == "q_c" ? &recordings::Reading::q_c : &recordings::Reading::f_s;
+  return channel_means(grid, recordings::column(recording, &recordings::Reading::depth),
+                       recordings::column(recording, reading), channel);
 }
 
 // Recording against simulation.
-void check_pair(const SoundingRequest& sounding, const VectorXd& recorded, const VectorXd& simulated) {
+void check_pair(const SoundingRequest& sounding, const solver::Channel& channel, const VectorXd& recorded,
+                const VectorXd& simulated) {
   std::vector<double> ratios;
   for (Index i = 0; i < recorded.size(); ++i)
     if (std::isfinite(recorded(i)) && std::isfinite(simulated(i)))
       ratios.push_back(recorded(i) - simulated(i));
   if (ratios.size() < 10)
     throw std::invalid_argument(
-        fmt::format("{}: {} of {} cells have both a recorded and a simulated q_c, and 10 are needed",
-                    sounding.name, ratios.size(), recorded.size()));
+        fmt::format("{}: {} of {} cells have both a recorded and a simulated {}, and 10 are needed",
+                    sounding.name, ratios.size(), recorded.size(), channel.name));
   const double apart = median(ratios);
   if (std::abs(apart) > std::log(100.0))
-    throw std::invalid_argument(
-        fmt::format("{}: the recording is {:.3g} times the simulation: mind the unit of q_c, or the "
-                    "study is of another profile",
-                    sounding.name, std::exp(apart)));
+    throw std::invalid_argument(fmt::format(
+        "{}: the recorded {} is {:.3g} times the simulated one: mind its unit, or the study is of another "
+        "profile",
+        sounding.name, channel.name, std::exp(apart)));
 }
 
 class Assembler {
  public:
-  Assembler(const Request& request, const std::vector<SoundingData>& soundings,
-            const solver::Channel& measured)
+  Assembler(const Request& request, const std::vector<SoundingData>& soundings, const ChannelList& measured)
       : request_(request), soundings_(soundings), measured_(measured) {}
 
   Assembled make() {
@@ -152,7 +166,7 @@ class Assembler {
       grids_.push_back(grid_of(data.request, request_.cell_height));
       curves_.emplace_back(data, grids_.back(), measured_);
     }
-    made_.problem.cells = cells_of(grids_);
+    made_.problem.cells = cells_of(grids_, static_cast<int>(measured_.size()));
   }
 
   [[nodiscard]] VectorXd simulated(const Curves& curves) const {
@@ -170,8 +184,13 @@ class Assembler {
       const SoundingData& data = soundings_[s];
       const VectorXd here = simulated(curves_[s]);
       check_recording(data.request, data.recording, request_.cell_height);
-      recorded.push_back(recorded_cells(data.recording, grids_[s]));
-      check_pair(data.request, recorded.back(), here);
+      for (const solver::Channel* channel : measured_)
+        recorded.push_back(recorded_cells(data.recording, grids_[s], *channel));
+      const Index rows = grids_[s].cells, count = static_cast<Index>(measured_.size());
+      for (Index c = 0; c < count; ++c)
+        check_pair(data.request, *measured_[static_cast<std::size_t>(c)],
+                   recorded[recorded.size() - static_cast<std::size_t>(count - c)],
+                   here.segment(c * rows, rows));
       baseline.push_back(here);
     }
     made_.problem.recorded = concatenate(recorded);
@@ -352,7 +371,7 @@ class Assembler {
 
   const Request& request_;
   const std::vector<SoundingData>& soundings_;
-  const solver::Channel& measured_;
+  const ChannelList& measured_;
   std::vector<SoundingGrid> grids_;
   std::vector<Curves> curves_;
   std::optional<ResponseSurface> surface_;  // of the soil's parameters
@@ -388,7 +407,8 @@ void check_recording(const SoundingRequest& sounding, const recordings::Recordin
     throw std::invalid_argument(
         fmt::format("{}: q_c is {:g} Pa in all {} readings: a constant column cannot be diagnosed",
                     sounding.name, *least, values.size()));
-  const VectorXd cells = recorded_cells(recording, grid_of(sounding, cell_height));
+  const VectorXd cells =
+      recorded_cells(recording, grid_of(sounding, cell_height), solver::channels().front());
   const auto filled = std::count_if(cells.begin(), cells.end(), [](double y) { return std::isfinite(y); });
   if (filled < 10)
     throw std::invalid_argument(fmt::format(
@@ -398,14 +418,20 @@ void check_recording(const SoundingRequest& sounding, const recordings::Recordin
 }
 
 Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings) {
-  return Assembler(request, soundings, solver::channels().front()).make();
+  return assemble(request, soundings, {&solver::channels().front()});
+}
+
+Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings,
+                   const ChannelList& channels) {
+  return Assembler(request, soundings, channels).make();
 }
 
 Assembled assemble_unmeasured(const Request& request, const std::vector<SoundingData>& soundings,
                               const solver::Channel& measured, const NoiseModel& measurement) {
   NoiseModel noise = measurement;
   noise.deviation *= measured.deviation_over_q_c;
-  return Assembler(request, soundings, measured).make_unmeasured(noise);
+  const ChannelList one = {&measured};
+  return Assembler(request, soundings, one).make_unmeasured(noise);
 }
 
 }  // namespace cpt::diagnosis

@@ -35,10 +35,16 @@ struct Assembled {
 void check_recording(const SoundingRequest& sounding, const recordings::Recording& recording,
                      double cell_height);
 
+/// What is compared of each sounding, in this order.
+using ChannelList = std::vector<const solver::Channel*>;
+
 /// Throws std::invalid_argument, with a sentence for the user, where recording and simulation do not fit
 /// together: as check_recording, and fewer than 10 common cells, magnitudes a hundredfold
 /// apart, a baseline that failed.
 [[nodiscard]] Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings);
+/// The same of several channels (q_c and others that recordings have), one behind the other in each sounding.
+[[nodiscard]] Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings,
+                                 const ChannelList& channels);
 
 /// The problem as it would be of pushes not made yet, or of what was not recorded of those that were: the
 /// baseline stands for the recording. The channel's noise is that of q_c times what the list of channels

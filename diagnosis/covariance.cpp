@@ -20,7 +20,7 @@ double correlation(Kernel kernel, double distance, double length) {
 double longest_sounding(const std::vector<Cell>& cells) {
   double longest = 0.0;
   for (std::size_t i = 0, top = 0; i < cells.size(); ++i) {
-    if (cells[i].sounding != cells[top].sounding) top = i;
+    if (!cells[i].same_curve(cells[top])) top = i;
     longest = std::max(longest, cells[i].depth - cells[top].depth + cells[i].height);
   }
   return longest;
@@ -66,7 +66,7 @@ MatrixXd noise_covariance(const std::vector<Cell>& cells, const NoiseModel& nois
   for (Index i = 0; i < n; ++i)
     for (Index j = 0; j < n; ++j) {
       const Cell &a = cells[static_cast<std::size_t>(i)], &b = cells[static_cast<std::size_t>(j)];
-      if (a.sounding == b.sounding)
+      if (a.same_curve(b))
         covariance(i, j) = noise.deviation * noise.deviation *
                            correlation(noise.kernel, std::abs(a.depth - b.depth), noise.length);
     }
@@ -106,7 +106,7 @@ NoiseModel noise_of_high_pass(const std::vector<Cell>& cells, const VectorXd& re
   const auto n = static_cast<Index>(cells.size());
   for (Index top = 0, bottom = 0; top < n; top = bottom) {
     const auto cell = [&](Index i) { return cells[static_cast<std::size_t>(i)]; };
-    while (bottom < n && cell(bottom).sounding == cell(top).sounding) ++bottom;
+    while (bottom < n && cell(bottom).same_curve(cell(top))) ++bottom;
     const double from = cell(top).depth - 0.5 * cell(top).height;
     const double extent = cell(bottom - 1).depth + 0.5 * cell(bottom - 1).height - from;
     const auto add = [&](auto shape) {

@@ -8,14 +8,15 @@
 
 namespace cpt::diagnosis {
 
-std::vector<Cell> cells_of(const std::vector<SoundingGrid>& soundings) {
+std::vector<Cell> cells_of(const std::vector<SoundingGrid>& soundings, int channels) {
   std::vector<Cell> cells;
   int sounding = 0;
   for (const SoundingGrid& grid : soundings) {
     if (!(grid.height > 0.0) || grid.cells <= 0)
       throw std::invalid_argument("a sounding's grid has no cells");
-    for (int i = 0; i < grid.cells; ++i)
-      cells.push_back({sounding, grid.from + (i + 0.5) * grid.height, grid.height});
+    for (int channel = 0; channel < channels; ++channel)
+      for (int i = 0; i < grid.cells; ++i)
+        cells.push_back({sounding, grid.from + (i + 0.5) * grid.height, grid.height, channel});
     ++sounding;
   }
   return cells;

@@ -23,13 +23,19 @@ struct SoundingGrid {
 
 /// One row of the joint vector.
 struct Cell {
-  int sounding;   // counted from 0
-  double depth;   // [m] of its centre
-  double height;  // [m]
+  int sounding;     // counted from 0
+  double depth;     // [m] of its centre
+  double height;    // [m]
+  int channel = 0;  ///< among those compared
+  /// Cells of one curve scatter together.
+  [[nodiscard]] bool same_curve(const Cell& other) const {
+    return sounding == other.sounding && channel == other.channel;
+  }
 };
 
-/// The rows of all soundings, each from its top down. Throws std::invalid_argument for a grid without cells.
-[[nodiscard]] std::vector<Cell> cells_of(const std::vector<SoundingGrid>& soundings);
+/// The rows of all soundings, in each of them its channels one behind the other, each from its top down.
+/// Throws std::invalid_argument for a grid without cells.
+[[nodiscard]] std::vector<Cell> cells_of(const std::vector<SoundingGrid>& soundings, int channels = 1);
 
 /// ln of the mean q_c in each cell, from a finer profile of depths [m] and q_c [Pa] in any order. NaN where a
 /// cell holds no sample, or one that is not finite or not positive. Throws std::invalid_argument if the

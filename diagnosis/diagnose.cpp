@@ -20,38 +20,6 @@ MatrixXd kept_rows(const MatrixXd& curves, const std::vector<Index>& rows) {
                            : MatrixXd(static_cast<Index>(rows.size()), 0);
 }
 
-// The problem on the cells where every curve has a value.
-Problem complete(const Problem& problem, std::vector<Index>& rows) {
-  std::vector<MatrixXd> curves{problem.recorded, problem.baseline, problem.repeats, problem.joint.curves};
-  for (const ParameterEffect& p : problem.parameters)
-    for (const VectorXd* y : {&p.lower, &p.upper})
-      if (y->size() > 0) curves.emplace_back(*y);
-  for (const MechanismEffect& m : problem.mechanisms) {
-    curves.push_back(m.delta);
-    curves.push_back(m.joint_delta);
-  }
-  if (problem.recorded.size() != static_cast<Index>(problem.cells.size()))
-    throw std::invalid_argument("the recording has another number of cells than the grid");
-  rows = complete_rows(curves);
-  if (rows.size() < 10) throw std::invalid_argument("fewer than 10 complete cells");
-
-  Problem result = problem;
-  result.cells = select(problem.cells, rows);
-  result.recorded = kept(problem.recorded, rows);
-  result.baseline = kept(problem.baseline, rows);
-  result.repeats = kept_rows(problem.repeats, rows);
-  result.joint.curves = kept_rows(problem.joint.curves, rows);
-  for (ParameterEffect& p : result.parameters) {
-    p.lower = kept(p.lower, rows);
-    p.upper = kept(p.upper, rows);
-  }
-  for (MechanismEffect& m : result.mechanisms) {
-    m.delta = kept_rows(m.delta, rows);
-    m.joint_delta = kept_rows(m.joint_delta, rows);
-  }
-  return result;
-}
-
 NoiseModel measurement_noise(const Problem& problem, const Options& options) {
   return problem.measurement ? *problem.measurement
                              : noise_of_high_pass(problem.cells, problem.recorded, options.high_pass);
@@ -216,9 +184,40 @@ std::vector<PriorVariation> vary(const Problem& problem, const NullModel& null,
 
 }  // namespace
 
+Problem complete_cells(const Problem& problem, std::vector<Index>& rows) {
+  std::vector<MatrixXd> curves{problem.recorded, problem.baseline, problem.repeats, problem.joint.curves};
+  for (const ParameterEffect& p : problem.parameters)
+    for (const VectorXd* y : {&p.lower, &p.upper})
+      if (y->size() > 0) curves.emplace_back(*y);
+  for (const MechanismEffect& m : problem.mechanisms) {
+    curves.push_back(m.delta);
+    curves.push_back(m.joint_delta);
+  }
+  if (problem.recorded.size() != static_cast<Index>(problem.cells.size()))
+    throw std::invalid_argument("the recording has another number of cells than the grid");
+  rows = complete_rows(curves);
+  if (rows.size() < 10) throw std::invalid_argument("fewer than 10 complete cells");
+
+  Problem result = problem;
+  result.cells = select(problem.cells, rows);
+  result.recorded = kept(problem.recorded, rows);
+  result.baseline = kept(problem.baseline, rows);
+  result.repeats = kept_rows(problem.repeats, rows);
+  result.joint.curves = kept_rows(problem.joint.curves, rows);
+  for (ParameterEffect& p : result.parameters) {
+    p.lower = kept(p.lower, rows);
+    p.upper = kept(p.upper, rows);
+  }
+  for (MechanismEffect& m : result.mechanisms) {
+    m.delta = kept_rows(m.delta, rows);
+    m.joint_delta = kept_rows(m.joint_delta, rows);
+  }
+  return result;
+}
+
 Prepared prepare(const Problem& given, const Options& options) {
   Compared compared;
-  Problem problem = complete(given, compared.rows);
+  Problem problem = complete_cells(given, compared.rows);
   compared.cells = problem.cells;
   compared.measurement = measurement_noise(problem, options);
   if (problem.repeats.cols() > 0) compared.numerical = covariance_of_repeats(problem.cells, problem.repeats);

@@ -40,6 +40,10 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
+/// The problem on the cells where every curve has a value; `rows` are those of the problem that it keeps.
+/// Throws std::invalid_argument if fewer than 10 are complete or shapes disagree.
+[[nodiscard]] Problem complete_cells(const Problem& problem, std::vector<Index>& rows);
+
 /// What the steps work on: the problem on its complete cells, the null model and the mechanisms' emulators.
 struct Prepared {
   Problem problem;

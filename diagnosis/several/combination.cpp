@@ -45,8 +45,8 @@ Target Combinations::target(const VectorXd& residual) const {
 }
 
 // With e = r - sum of curves and U all spreads: e'(1 + U U')^-1 e = |e|^2 - v'A^-1 v, A = 1 + U'U, v = U'e.
-double Combinations::log_density(const Target& target, std::span<const std::size_t> effects,
-                                 const Combination& at, VectorXd* means) const {
+Combinations::Weighed Combinations::weigh(const Target& target, std::span<const std::size_t> effects,
+                                          const Combination& at) const {
   std::array<Block, most_effects> block{};
   Index columns = 0;
   for (std::size_t k = 0; k < effects.size(); ++k) {
@@ -76,10 +76,9 @@ double Combinations::log_density(const Target& target, std::span<const std::size
   A.diagonal().array() += 1.0;
   const Eigen::LLT<Small> factor(A);  // reads the lower triangle
   const SmallVector half = factor.matrixL().solve(v);
-  if (means != nullptr) *means = factor.matrixU().solve(half);
   double log_determinant = 0.0;
-  for (Index i = 0; i < columns; ++i) log_determinant += std::log(factor.matrixLLT()(i, i));
-  return constant_ - 0.5 * (square - half.squaredNorm()) - log_determinant;
+  for (Index i = 0; i < columns; ++i) log_determinant += 2.0 * std::log(factor.matrixLLT()(i, i));
+  return {square - half.squaredNorm(), log_determinant};
 }
 
 double Combinations::log_evidence(const Target& target, std::span<const std::size_t> effects,

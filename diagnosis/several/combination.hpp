@@ -38,12 +38,25 @@ class Combinations {
   [[nodiscard]] double log_evidence(const Target& target, std::span<const std::size_t> effects,
                                     std::vector<Combination>* kept = nullptr, double within = 8.0) const;
 
-  /// ln N(residual; sum of curves, C + sum of U U^T) at one combination, and where asked for the mean of the
-  /// columns' normals given the residual, effect after effect.
+  /// ln N(residual; sum of curves, C + sum of U U^T) at one combination.
   [[nodiscard]] double log_density(const Target& target, std::span<const std::size_t> effects,
-                                   const Combination& at, VectorXd* columns = nullptr) const;
+                                   const Combination& at) const {
+    const auto [distance, log_determinant] = weigh(target, effects, at);
+    return constant_ - 0.5 * (distance + log_determinant);
+  }
+  /// e^T (C + sum of U U^T)^-1 e there.
+  [[nodiscard]] double distance(const Target& target, std::span<const std::size_t> effects,
+                                const Combination& at) const {
+    return weigh(target, effects, at).distance;
+  }
 
  private:
+  struct Weighed {
+    double distance, log_determinant;  // the latter of 1 + U^T C^-1 U
+  };
+  [[nodiscard]] Weighed weigh(const Target& target, std::span<const std::size_t> effects,
+                              const Combination& at) const;
+
   struct Block {
     Index first;    // its curve's column
     Index columns;  // of its spread, behind it

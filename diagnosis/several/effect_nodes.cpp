@@ -69,7 +69,8 @@ EffectNodes effect_nodes(const CurveEmulator& emulator, const MatrixXd& whitenin
                    MatrixXd(nodes, dimensions),
                    VectorXd::Constant(nodes, 1.0 / static_cast<double>(nodes)),
                    {},
-                   {}};
+                   {},
+                   width.cwiseProduct(deviation)};
   for (Index i = 0; i < nodes; ++i)
     for (Index d = 0, rest = i; d < dimensions; ++d) {
       const Index count = counts[static_cast<std::size_t>(d)];

@@ -16,6 +16,7 @@ struct EffectNodes {
   VectorXd weights;               // nodes; sum to 1
   MatrixXd curves;                // n x nodes [ln]
   std::vector<MatrixXd> spreads;  // of each node n x columns [ln]: times independent standard normals
+  VectorXd steps;  // dimensions; the first columns' normals times this is the place less the node's
   [[nodiscard]] Index count() const { return weights.size(); }
 };
 

@@ -24,15 +24,15 @@ MatrixXd strong_span(const MatrixXd& parameters, const Whitener& sigma, const Wh
 std::vector<Metric> metrics_of(const std::vector<Cell>& cells, const Scatter& scatter,
                                const MetricGrid& grid) {
   std::vector<Metric> without, with;
-  const Index n = scatter.noise.rows();
-  const double log_noises = std::log(static_cast<double>(grid.noise_factors.size()));
+  const Index n = scatter.numerics.rows();
   const double log_kinds =
       std::log(static_cast<double>(grid.amplitudes.size() * grid.lengths_in_cells.size()));
-  for (const double factor : grid.noise_factors) {
-    const MatrixXd sigma = factor * factor * scatter.noise + scatter.numerics;
+  for (std::size_t k = 0; k < scatter.noises.size(); ++k) {
+    const auto& [covariance, log_prior] = scatter.noises[k];
+    const MatrixXd sigma = covariance + scatter.numerics;
     const Whitener noise(sigma), M(sigma + scatter.parameters * scatter.parameters.transpose());
     const MatrixXd plain = M.whiten(MatrixXd::Identity(n, n));
-    without.push_back({plain, M.log_determinant(), -log_noises, factor});
+    without.push_back({plain, M.log_determinant(), log_prior, k});
     const MatrixXd span = strong_span(scatter.parameters, noise, M);
     const MatrixXd off = MatrixXd::Identity(n, n) - span * span.transpose();
     for (const double cells_long : grid.lengths_in_cells) {
@@ -45,8 +45,8 @@ std::vector<Metric> metrics_of(const std::vector<Cell>& cells, const Scatter& sc
         const Eigen::ArrayXd variance =
             1.0 + amplitude * amplitude * eigen.eigenvalues().array().cwiseMax(0.0);
         with.push_back({variance.rsqrt().matrix().asDiagonal() * rotated,
-                        M.log_determinant() + variance.log().sum(), -log_noises - log_kinds, factor,
-                        amplitude, length});
+                        M.log_determinant() + variance.log().sum(), log_prior - log_kinds, k, amplitude,
+                        length});
       }
     }
   }

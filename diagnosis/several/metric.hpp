@@ -13,7 +13,7 @@ struct Metric {
   MatrixXd whitening;      // W, n x n: W C W^T = 1
   double log_determinant;  // ln |C|
   double log_prior;        // of this metric among those with, or among those without, something else
-  double noise = 1.0;      // factor of the noise's standard deviation
+  std::size_t noise = 0;   // which of Scatter::noises
   double amplitude = 0.0;  // [ln] standard deviation of something else; 0: there is none
   double length = 0.0;     // [m] its correlation length
   [[nodiscard]] bool something_else() const { return amplitude > 0.0; }
@@ -21,14 +21,18 @@ struct Metric {
 
 /// What the covariances are made of.
 struct Scatter {
-  MatrixXd noise;       // n x n [ln^2] measurement
+  /// What the measurement may scatter by; one where it is known.
+  struct Noise {
+    MatrixXd covariance;  // n x n [ln^2]
+    double log_prior;     // of all: they sum to 1
+  };
+  std::vector<Noise> noises;
   MatrixXd numerics;    // n x n [ln^2] of runs, and of the response surface
   MatrixXd parameters;  // n x k [ln]: times independent standard normals, what the study's parameters do
 };
 
-/// The values that noise and something else may have; products of all of them, each as probable.
+/// What something else may be, each as probable as the others.
 struct MetricGrid {
-  std::vector<double> noise_factors = {1.0};  ///< where the noise was estimated, around its estimate
   std::vector<double> amplitudes = {0.03, 0.08, 0.2, 0.5};
   std::vector<double> lengths_in_cells = {3.0, 8.0, 20.0};
 };

@@ -128,7 +128,7 @@ TEST_F(Diagnose, BadInputIsToldBeforeAnythingRuns) {
   write_recording("a.csv", 0.0, 1e-3);  // kPa in a column of MPa
   const Result units = diagnose("d");
   EXPECT_EQ(units.exit_code, 2);
-  EXPECT_NE(units.err.find("unit of q_c"), std::string::npos) << units.err;
+  EXPECT_NE(units.err.find("mind its unit"), std::string::npos) << units.err;
 }
 
 // Recordings that others may not pass on lie in a folder of the user's.

@@ -130,7 +130,7 @@ TEST_F(Assembling, AFailedBaselineIsAnError) {
 TEST_F(Assembling, RecordingsThatDoNotFitAreErrors) {
   SoundingData& data = soundings[0];
   record(data, [](double depth) { return 3e9 * std::sqrt(depth); });
-  EXPECT_NE(message().find("unit of q_c"), std::string::npos);
+  EXPECT_NE(message().find("mind its unit"), std::string::npos);
   record(data, [](double) { return 1e6; });
   EXPECT_NE(message().find("constant column"), std::string::npos);
   record(data, [](double) { return std::nan(""); });

@@ -22,7 +22,8 @@ std::vector<CurveEmulator> emulators() {
 class Subsets : public testing::Test {
  protected:
   [[nodiscard]] Scatter scatter() const {
-    return {null.sigma, MatrixXd::Zero(null.sigma.rows(), null.sigma.cols()),
+    return {{{null.sigma, 0.0}},
+            MatrixXd::Zero(null.sigma.rows(), null.sigma.cols()),
             null.parameters.prior_factors()};
   }
   // Noise and soil drawn anew for each seed, with what the effects add.
