@@ -10,6 +10,7 @@
 #include "cli/diagnose/diagnosis_input.hpp"
 #include "cli/diagnose/next_measurement.hpp"
 #include "cli/diagnose/request_file.hpp"
+#include "cli/diagnose/several_effects.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/run/realization_command.hpp"
 #include "cli/run/study_remarks.hpp"
@@ -17,6 +18,7 @@
 #include "diagnosis/answer_store.hpp"
 #include "diagnosis/assemble.hpp"
 #include "diagnosis/fitted.hpp"
+#include "diagnosis/several/findings_store.hpp"
 #include "parameters/all_realizations.hpp"
 #include "reports/diagnosis/answer.hpp"
 #include "reports/diagnosis/write_diagnosis_report.hpp"
@@ -55,10 +57,13 @@ void diagnose_one(StudyRunner& runner, const RequestFile& asked, bool report) {
   const reports::diagnosed::Answer answer = reports::diagnosed::answer_of(input);
   store_answer(request.database, {request.title, asked.study.name, answer.headline, answer.reservations},
                diagnosis, assembled.problem);
+  const SeveralEffects several = several_effects(request, soundings);
+  store_findings(request.database, several.findings, several.assembled.problem);
   for (const std::string& remark : assembled.remarks) fmt::print("note: {}\n", remark);
   fmt::print("{}\n", answer.headline);
   for (const std::string& reservation : answer.reservations) fmt::print("  {}\n", reservation);
   for (const std::string& paragraph : answer.paragraphs) fmt::print("\n{}\n", paragraph);
+  fmt::print("\n{}\n", several_text(several));
   fmt::print("\nanswer in {}\n", request.database.string());
   if (!report) return;
   const auto files = reports::diagnosed::write_diagnosis_report(input, request.report_dir);

@@ -20,16 +20,19 @@ struct Combination {
 
 /// What is to be explained, recorded less the null's mean, as the columns see it.
 struct Target {
-  VectorXd onto;  // columns' products with it
-  double square;  // of its length
+  std::vector<VectorXd> onto;  // of each effect that is prepared: its columns' products with it
+  double square;               // of its length
 };
 
 class Combinations {
  public:
-  /// Keeps the effects' columns whitened by the metric, and their products.
+  /// `effects` must outlive it.
   Combinations(const Metric& metric, const std::vector<EffectNodes>& effects);
 
-  /// Of recorded less the null's mean (n) [ln].
+  /// Columns of these effects whitened by the metric, and their products: before they are asked for together.
+  void prepare(std::span<const std::size_t> effects);
+
+  /// Of recorded less the null's mean (n) [ln], for all effects that are prepared.
   [[nodiscard]] Target target(const VectorXd& residual) const;
 
   /// ln of the evidence of these effects together (at most three of them, each once), the density averaged
@@ -58,12 +61,21 @@ class Combinations {
                               const Combination& at) const;
 
   struct Block {
-    Index first;    // its curve's column
+    Index first;    // its curve's column among the effect's
     Index columns;  // of its spread, behind it
   };
-  std::vector<std::vector<Block>> blocks_;  // of each effect's nodes
-  std::vector<VectorXd> log_weights_;
-  MatrixXd whitening_, whitened_, products_;
+  struct Effect {
+    std::vector<Block> blocks;  // of its nodes
+    VectorXd log_weights;
+    MatrixXd whitened;               // n x columns; empty until it is prepared
+    std::vector<MatrixXd> products;  // columns x columns of each effect up to itself; empty until asked for
+  };
+  // Products of two effects' columns, rows those of k >= l.
+  [[nodiscard]] const MatrixXd& products(std::size_t k, std::size_t l) const { return own_[k].products[l]; }
+
+  const std::vector<EffectNodes>* nodes_;
+  std::vector<Effect> own_;
+  MatrixXd whitening_;
   double constant_;  // of a density's logarithm
 };
 

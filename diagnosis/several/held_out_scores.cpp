@@ -53,7 +53,8 @@ VectorXd held_out_scores(const SubsetWeigher& weigher, const Subset& subset, con
       std::vector<EffectNodes> nodes;
       for (const std::size_t effect : subset.effects)
         nodes.push_back(on_rows(weigher.fine()[effect], parts[p]));
-      const Combinations combinations(on_rows(metric, covariance, parts[p]), nodes);
+      Combinations combinations(on_rows(metric, covariance, parts[p]), nodes);
+      combinations.prepare(effects);
       logs[p].push_back(metric.log_prior +
                         combinations.log_evidence(combinations.target(residual(parts[p])), effects));
     }

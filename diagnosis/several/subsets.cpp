@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
+#include <numeric>
 
 #include "diagnosis/quadrature.hpp"
 
@@ -52,7 +52,7 @@ void settle(std::vector<WeighedSubset>& subsets) {
 }
 
 // Those that hold 99 %, the best first.
-std::vector<Place> leading(std::vector<Place> places, double log_evidence) {
+std::vector<Place> best_places(std::vector<Place> places, double log_evidence) {
   for (Place& place : places) place.probability = std::exp(place.combination.log_weight - log_evidence);
   std::ranges::stable_sort(places, std::greater(), &Place::probability);
   double held = 0.0;
@@ -69,14 +69,15 @@ bool Subset::has(std::size_t effect) const { return std::ranges::find(effects, e
 SubsetWeigher::SubsetWeigher(const std::vector<CurveEmulator>& effects, const std::vector<Metric>& metrics,
                              const Options& options)
     : options_(options), metrics_(metrics), subsets_(all_subsets(effects.size())) {
-  std::vector<EffectNodes> coarse;
+  std::vector<std::size_t> all(effects.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
   for (const CurveEmulator& effect : effects) {
-    coarse.push_back(effect_nodes(effect, metrics.front().whitening, coarse_grid));
+    coarse_.push_back(effect_nodes(effect, metrics.front().whitening, coarse_grid));
     fine_.push_back(effect_nodes(effect, metrics.front().whitening, fine_grid));
   }
   for (const Metric& metric : metrics_) {
-    coarse_combinations_.emplace_back(metric, coarse);
-    fine_combinations_.emplace_back(metric, fine_);
+    coarse_combinations_.emplace_back(metric, coarse_);
+    coarse_combinations_.back().prepare(all);
   }
   log_prior_ = log_priors(subsets_, effects.size(), options_.prior);
 }
@@ -99,6 +100,12 @@ std::vector<WeighedSubset> SubsetWeigher::first_look(const VectorXd& residual) c
   return weighed;
 }
 
+Combinations SubsetWeigher::at(std::size_t metric, std::span<const std::size_t> effects) const {
+  Combinations look(metrics_[metric], fine_);
+  look.prepare(effects);
+  return look;
+}
+
 double SubsetWeigher::probability_of_nothing(const VectorXd& residual) const {
   for (const WeighedSubset& weighed : first_look(residual))
     if (weighed.subset.is_nothing()) return weighed.probability;
@@ -108,28 +115,37 @@ double SubsetWeigher::probability_of_nothing(const VectorXd& residual) const {
 Explained SubsetWeigher::explain(const VectorXd& residual) const {
   Explained found;
   found.subsets = first_look(residual);
-  std::vector<Target> target;
-  for (const Combinations& look : fine_combinations_) target.push_back(look.target(residual));
   const double floor = std::log(found.subsets.front().probability) - options_.fine_within;
+  std::vector<WeighedSubset*> leading;
   for (std::size_t s = 0; s < found.subsets.size(); ++s) {
     WeighedSubset& weighed = found.subsets[s];
     const bool leads = s < options_.most_fine && std::log(weighed.probability) > floor;
-    if (!leads && !weighed.subset.is_nothing()) continue;
-    std::vector<double> logs;
-    std::vector<Place> places;
-    for (std::size_t m = 0; m < metrics_.size(); ++m) {
-      if (metrics_[m].something_else() != weighed.subset.something_else) continue;
+    if (leads || weighed.subset.is_nothing()) leading.push_back(&weighed);
+  }
+  std::vector<std::vector<double>> logs(leading.size());
+  std::vector<std::vector<Place>> places(leading.size());
+  for (std::size_t m = 0; m < metrics_.size(); ++m) {
+    Combinations look(metrics_[m], fine_);
+    const auto asks = [&](const WeighedSubset* one) {
+      return one->subset.something_else == metrics_[m].something_else();
+    };
+    for (const WeighedSubset* one : leading)
+      if (asks(one)) look.prepare(one->subset.effects);
+    const Target target = look.target(residual);
+    for (std::size_t s = 0; s < leading.size(); ++s) {
+      if (!asks(leading[s])) continue;
       std::vector<Combination> kept;
-      logs.push_back(metrics_[m].log_prior +
-                     fine_combinations_[m].log_evidence(target[m], weighed.subset.effects, &kept));
+      logs[s].push_back(metrics_[m].log_prior + look.log_evidence(target, leading[s]->subset.effects, &kept));
       for (Combination& one : kept) {
         one.log_weight += metrics_[m].log_prior;
-        places.push_back({m, one, 0.0});
+        places[s].push_back({m, one, 0.0});
       }
     }
-    weighed.log_evidence =
-        log_sum_exp(Eigen::Map<const VectorXd>(logs.data(), static_cast<Index>(logs.size())));
-    weighed.places = leading(std::move(places), weighed.log_evidence);
+  }
+  for (std::size_t s = 0; s < leading.size(); ++s) {
+    leading[s]->log_evidence =
+        log_sum_exp(Eigen::Map<const VectorXd>(logs[s].data(), static_cast<Index>(logs[s].size())));
+    leading[s]->places = best_places(std::move(places[s]), leading[s]->log_evidence);
   }
   settle(found.subsets);
   found.inclusion = VectorXd::Zero(static_cast<Index>(fine_.size()));

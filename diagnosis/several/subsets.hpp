@@ -57,6 +57,8 @@ class SubsetWeigher {
 
   /// `effects` have the problem's order; their emulators are divided coarsely for a first look and finely for
   /// the subsets that it leaves.
+  SubsetWeigher(const SubsetWeigher&) = delete;  // its combinations look at its nodes
+  SubsetWeigher& operator=(const SubsetWeigher&) = delete;
   SubsetWeigher(const std::vector<CurveEmulator>& effects, const std::vector<Metric>& metrics,
                 const Options& options);
 
@@ -67,15 +69,16 @@ class SubsetWeigher {
 
   [[nodiscard]] const std::vector<EffectNodes>& fine() const { return fine_; }
   [[nodiscard]] const std::vector<Metric>& metrics() const { return metrics_; }
-  [[nodiscard]] const Combinations& at(std::size_t metric) const { return fine_combinations_[metric]; }
+  /// In one metric, these effects prepared. Not longer than the weigher.
+  [[nodiscard]] Combinations at(std::size_t metric, std::span<const std::size_t> effects) const;
 
  private:
   [[nodiscard]] std::vector<WeighedSubset> first_look(const VectorXd& residual) const;
 
   Options options_;
   std::vector<Metric> metrics_;
-  std::vector<EffectNodes> fine_;
-  std::vector<Combinations> coarse_combinations_, fine_combinations_;  // of each metric
+  std::vector<EffectNodes> coarse_, fine_;
+  std::vector<Combinations> coarse_combinations_;  // of each metric
   std::vector<Subset> subsets_;
   VectorXd log_prior_;  // of each subset
 };

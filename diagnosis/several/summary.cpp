@@ -193,10 +193,13 @@ TwoSidedCheck check_subset(const SubsetWeigher& weigher, const WeighedSubset& su
                            const VectorXd& residual) {
   TwoSidedCheck check{0.0, static_cast<double>(residual.size()), 0.0};
   double held = 0.0;
+  std::map<std::size_t, Combinations> in;  // of each metric
   for (const Place& place : subset.places) {
-    check.chi_square += place.probability * weigher.at(place.metric)
-                                                .distance(weigher.at(place.metric).target(residual),
-                                                          subset.subset.effects, place.combination);
+    auto entry = in.find(place.metric);
+    if (entry == in.end())
+      entry = in.emplace(place.metric, weigher.at(place.metric, subset.subset.effects)).first;
+    check.chi_square += place.probability * entry->second.distance(entry->second.target(residual),
+                                                                   subset.subset.effects, place.combination);
     held += place.probability;
   }
   check.chi_square /= held;

@@ -8,7 +8,9 @@
 #include <stdexcept>
 
 #include "diagnosis/prior_range.hpp"
+#include "diagnosis/random.hpp"
 #include "results/ledger/provenance.hpp"
+#include "solver/channels.hpp"
 
 namespace cpt::validation::concealed {
 namespace {
@@ -171,33 +173,57 @@ parameters::Study truth_study(const Plan& plan, const parameters::Study& study,
   return made;
 }
 
-std::string recording_text(const Plan& plan, const Truth& truth, std::size_t sounding,
-                           const solver::DepthProfile& profile) {
-  // Means over a millimetre, then the effect, then the noise.
-  std::vector<double> depth, q_c, count;
+namespace {
+
+// Means over a millimetre of one channel, where q_c is finite.
+std::vector<double> readings(const solver::DepthProfile& profile, const std::vector<double>& values,
+                             std::vector<double>& depth) {
+  std::vector<double> sums, count;
+  depth.clear();
   for (std::size_t i = 0; i < profile.depth.size(); ++i) {
     if (!std::isfinite(profile.q_c[i])) continue;
     const double place = (std::floor(profile.depth[i] / reading_spacing) + 0.5) * reading_spacing;
     if (depth.empty() || place - depth.back() > 0.5 * reading_spacing) {
       depth.push_back(place);
-      q_c.push_back(0.0);
+      sums.push_back(0.0);
       count.push_back(0.0);
     }
-    q_c.back() += profile.q_c[i];
+    sums.back() += values[i];
     count.back() += 1.0;
   }
-  for (std::size_t i = 0; i < q_c.size(); ++i) q_c[i] /= count[i];
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= count[i];
+  return sums;
+}
+
+// AR(1) of unit deviation.
+std::vector<double> noise_over(const std::vector<double>& depth, double correlation, Random random) {
+  std::vector<double> noise(depth.size(), 0.0);
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const double kept = i == 0 ? 0.0 : std::exp(-(depth[i] - depth[i - 1]) / correlation);
+    noise[i] = (i == 0 ? 0.0 : kept * noise[i - 1]) + std::sqrt(1.0 - kept * kept) * random.normal();
+  }
+  return noise;
+}
+
+}  // namespace
+
+std::string recording_text(const Plan& plan, const Truth& truth, std::size_t sounding,
+                           const solver::DepthProfile& profile) {
+  constexpr std::uint64_t sleeve_stream = 1000;  // behind those of the soundings' q_c
+  std::vector<double> depth;
+  const std::vector<double> f_s = readings(profile, profile.f_s, depth);
+  std::vector<double> q_c = readings(profile, profile.q_c, depth);
   if (truth.outside) q_c = with_outside(*truth.outside, depth, q_c);
 
-  Random random(truth.soundings[sounding].noise_seed, sounding);
-  std::string text = "depth_m,q_c_MPa\n";
-  double noise = 0.0;
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    const double kept = i == 0 ? 0.0 : std::exp(-(depth[i] - depth[i - 1]) / plan.request.correlation);
-    noise = kept * noise + std::sqrt(1.0 - kept * kept) * random.normal();
-    text +=
-        fmt::format("{:.4f},{:.6g}\n", depth[i], q_c[i] * std::exp(plan.request.measurement * noise) / 1e6);
-  }
+  const std::uint64_t seed = truth.soundings[sounding].noise_seed;
+  const double size = plan.request.measurement, length = plan.request.correlation;
+  const std::vector<double> of_tip = noise_over(depth, length, Random(seed, sounding));
+  const std::vector<double> of_sleeve = noise_over(depth, length, Random(seed, sleeve_stream + sounding));
+  const double sleeve_size = size * solver::channel("f_s").deviation_over_q_c;
+  std::string text = "depth_m,q_c_MPa,f_s_kPa\n";
+  for (std::size_t i = 0; i < depth.size(); ++i)
+    text += fmt::format("{:.4f},{:.6g},{:.6g}\n", depth[i], q_c[i] * std::exp(size * of_tip[i]) / 1e6,
+                        f_s[i] * std::exp(sleeve_size * of_sleeve[i]) / 1e3);
   return text;
 }
 
@@ -213,8 +239,7 @@ std::string request_text(const Plan& plan, const parameters::Study& study, const
     const SoundingRequest& sounding = request.soundings[s];
     text += fmt::format(
         "\n[[soundings]]\nname = {}\nrecording = \"{}\"\ncolumns = {{ depth_m = \"depth_m\", q_c_MPa = "
-        "\"q_c_MPa\" "
-        "}}\nfrom_m = {}\nto_m = {}\n",
+        "\"q_c_MPa\", f_s_kPa = \"f_s_kPa\" }}\nfrom_m = {}\nto_m = {}\n",
         quoted(sounding.name), recording_file(truth.id, s), sounding.from, sounding.to);
     if (sounding.changes.empty()) continue;
     text += "fixed = { ";

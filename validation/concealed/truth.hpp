@@ -48,8 +48,9 @@ struct Truth {
 [[nodiscard]] parameters::Study truth_study(const Plan& plan, const parameters::Study& study,
                                             const std::vector<Truth>& truths, std::size_t sounding);
 
-/// The recording as text: "depth_m,q_c_MPa" and a line each millimetre, the run's q_c with the outside effect
-/// and noise of the plan's size and correlation length (AR(1)).
+/// The recording as text: "depth_m,q_c_MPa,f_s_kPa" and a line each millimetre, the run's channels with the
+/// outside effect on q_c and noise of the plan's size, f_s as much noisier as the list of channels says, and
+/// correlation length (AR(1)).
 [[nodiscard]] std::string recording_text(const Plan& plan, const Truth& truth, std::size_t sounding,
                                          const solver::DepthProfile& profile);
 

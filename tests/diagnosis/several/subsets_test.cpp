@@ -31,7 +31,7 @@ class Subsets : public testing::Test {
     return draw_null(null, 1, seed).col(0) + effect;
   }
   NullModel null = toy::null(cells);
-  SubsetWeigher weigher = SubsetWeigher(emulators(), metrics_of(cells, scatter(), {}), {});
+  SubsetWeigher weigher{emulators(), metrics_of(cells, scatter(), {}), {}};
 };
 
 // One effect by nodes that are normals against Gauss-Legendre over its whole prior. They differ where the
@@ -47,7 +47,7 @@ TEST_F(Subsets, EvidenceOfOneEffectIsTheIntegralOverItsPrior) {
         {drift, toy::drift_curve(cells, strength)}};
     for (const auto& [effect, curve] : truths) {
       const VectorXd r = residual(curve, seed);
-      const Combinations& combinations = weigher.at(0);
+      const Combinations combinations = weigher.at(0, std::array{effect});
       const double exact = mechanism_evidence(MechanismLikelihood(all[effect], M), r).log_evidence;
       const double nodes = combinations.log_evidence(combinations.target(r), std::array{effect});
       EXPECT_NEAR(nodes, exact, 0.7) << seed << " " << all[effect].name();
@@ -71,7 +71,7 @@ TEST_F(Subsets, DensityOfACombinationIsTheNormalOne) {
       const MatrixXd& spread = nodes.spreads[static_cast<std::size_t>(at.node[k])];
       covariance += spread * spread.transpose();
     }
-    const Combinations& combinations = weigher.at(m);
+    const Combinations combinations = weigher.at(m, both);
     EXPECT_NEAR(combinations.log_density(combinations.target(r), both, at),
                 Whitener(covariance).log_density(rest), 1e-6);
   }
