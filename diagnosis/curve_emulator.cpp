@@ -102,8 +102,8 @@ CurveEmulator::CurveEmulator(const MechanismEffect& effect, const Options& optio
   error_ = low_rank_plus_diagonal(left_out_, options.error_rank);
   if (effect.joint_delta.cols() > 0) {
     const MatrixXd joint = scores(effect.joint_design);
-    const MatrixXd interaction =
-        low_rank_plus_diagonal(effect.joint_delta - components_ * joint, options.error_rank);
+    joint_left_ = effect.joint_delta - components_ * joint;
+    const MatrixXd interaction = low_rank_plus_diagonal(joint_left_, options.error_rank);
     joint_power_ = joint.squaredNorm() / static_cast<double>(joint.cols());
     if (joint_power_ > 0.0) {
       left_out_share_ = error_.trace() / (error_.trace() + interaction.trace());
@@ -178,18 +178,23 @@ MatrixXd CurveEmulator::scores(const MatrixXd& points) const {
   return result;
 }
 
-VectorXd CurveEmulator::error_scale(const MatrixXd& points) const {
+CurveEmulator::ErrorScales CurveEmulator::error_scales(const MatrixXd& points) const {
   VectorXd variance = VectorXd::Zero(points.rows());
   for (const Process& process : processes_) {
     const MatrixXd k = border(process, points);
     const VectorXd explained = k.cwiseProduct(process.inverse * k).colwise().sum();
     variance += process.variance * (1.0 - explained.array()).cwiseMax(0.0).matrix();
   }
-  VectorXd scale = VectorXd::Zero(points.rows());
-  if (left_out_variance_ > 0.0) scale = left_out_share_ / left_out_variance_ * variance;
-  if (left_out_share_ < 1.0)
-    scale += (1.0 - left_out_share_) / joint_power_ * scores(points).colwise().squaredNorm().transpose();
-  return scale;
+  ErrorScales scales{VectorXd::Zero(points.rows()), VectorXd::Zero(points.rows())};
+  if (left_out_variance_ > 0.0) scales.left_out = variance / left_out_variance_;
+  if (joint_left_.cols() > 0 && joint_power_ > 0.0)
+    scales.joint = scores(points).colwise().squaredNorm().transpose() / joint_power_;
+  return scales;
+}
+
+VectorXd CurveEmulator::error_scale(const MatrixXd& points) const {
+  const ErrorScales scales = error_scales(points);
+  return left_out_share_ * scales.left_out + (1.0 - left_out_share_) * scales.joint;
 }
 
 VectorXd CurveEmulator::mean(const VectorXd& phi) const { return components_ * scores(phi.transpose()); }
@@ -202,6 +207,7 @@ CurveEmulator CurveEmulator::rows(const std::vector<Index>& kept) const {
   CurveEmulator emulator = *this;
   emulator.components_ = components_(kept, Eigen::all);
   emulator.left_out_ = left_out_(kept, Eigen::all);
+  if (joint_left_.cols() > 0) emulator.joint_left_ = joint_left_(kept, Eigen::all);
   emulator.error_ = error_(kept, kept);
   return emulator;
 }

@@ -59,6 +59,14 @@ class CurveEmulator {
   [[nodiscard]] const MatrixXd& error_covariance() const { return error_; }
   /// The leave-one-out residuals (n x runs).
   [[nodiscard]] const MatrixXd& left_out_residuals() const { return left_out_; }
+  /// What the joint runs lie off the emulator (n x joint runs).
+  [[nodiscard]] const MatrixXd& joint_residuals() const { return joint_left_; }
+  /// Size of the error at each point over the leave-one-out residuals' variance, and over the joint runs':
+  /// the kriging variance over its mean in leave-one-out; the effect's square over theirs.
+  struct ErrorScales {
+    VectorXd left_out, joint;  // points
+  };
+  [[nodiscard]] ErrorScales error_scales(const MatrixXd& points) const;
 
   /// The emulator on some of its cells.
   [[nodiscard]] CurveEmulator rows(const std::vector<Index>& kept) const;
@@ -89,7 +97,7 @@ class CurveEmulator {
   double left_out_variance_ = 0.0;  // mean over runs, all scores together
   double left_out_share_ = 1.0;     // of the error's trace; the rest is the joint runs'
   double joint_power_ = 1.0;        // mean square of the joint runs' scores
-  MatrixXd left_out_, error_;
+  MatrixXd left_out_, joint_left_, error_;
 };
 
 }  // namespace cpt::diagnosis

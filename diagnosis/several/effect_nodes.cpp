@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/several/noise.hpp"
+
 namespace cpt::diagnosis {
 namespace {
 
@@ -38,23 +40,10 @@ std::vector<int> counts_of(const CurveEmulator& emulator, const MatrixXd& whiten
   return counts;
 }
 
-// Columns that hold the error's covariance, the largest first.
-MatrixXd error_columns(const MatrixXd& covariance, const NodeGrid& grid) {
-  const double total = covariance.trace();
-  if (!(total > 0.0)) return MatrixXd(covariance.rows(), 0);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
-  const Index n = covariance.rows();
-  Index kept = 0;
-  for (double held = 0.0;
-       kept < std::min<Index>(grid.most_error_columns, n) && held < grid.error_share * total;)
-    held += eigen.eigenvalues()(n - ++kept);
-  return eigen.eigenvectors().rightCols(kept) *
-         eigen.eigenvalues().tail(kept).cwiseMax(0.0).cwiseSqrt().asDiagonal();
-}
-
 }  // namespace
 
-EffectNodes effect_nodes(const CurveEmulator& emulator, const MatrixXd& whitening, const NodeGrid& grid) {
+EffectNodes effect_nodes(const CurveEmulator& emulator, const MatrixXd& scatter, const MatrixXd& whitening,
+                         const NodeGrid& grid) {
   const Index dimensions = emulator.dimensions();
   const std::vector<int> counts = counts_of(emulator, whitening, grid);
   VectorXd width(dimensions), deviation(dimensions);
@@ -87,12 +76,14 @@ EffectNodes effect_nodes(const CurveEmulator& emulator, const MatrixXd& whitenin
     slopes.emplace_back(emulator.components() * (emulator.scores(above) - emulator.scores(below)) *
                         deviation(d));
   }
-  const MatrixXd error = error_columns(emulator.error_covariance(), grid);
-  const VectorXd scale = emulator.error_scale(made.places).cwiseSqrt();
+  const MatrixXd between = beyond_scatter(emulator.left_out_residuals(), scatter, grid.most_error_columns);
+  const MatrixXd elsewhere = beyond_scatter(emulator.joint_residuals(), scatter, grid.most_error_columns);
+  const CurveEmulator::ErrorScales scale = emulator.error_scales(made.places);
   for (Index i = 0; i < nodes; ++i) {
-    MatrixXd spread(made.curves.rows(), dimensions + error.cols());
+    MatrixXd spread(made.curves.rows(), dimensions + between.cols() + elsewhere.cols());
     for (Index d = 0; d < dimensions; ++d) spread.col(d) = slopes[static_cast<std::size_t>(d)].col(i);
-    spread.rightCols(error.cols()) = scale(i) * error;
+    spread.middleCols(dimensions, between.cols()) = std::sqrt(scale.left_out(i)) * between;
+    spread.rightCols(elsewhere.cols()) = std::sqrt(scale.joint(i)) * elsewhere;
     made.spreads.push_back(std::move(spread));
   }
   return made;

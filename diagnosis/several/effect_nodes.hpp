@@ -27,18 +27,18 @@ struct NodeGrid {
   double bend = 1.0;
   int least_strengths = 3;          ///< cells along the first parameter
   int most_cells[3] = {12, 12, 6};  ///< along each parameter of an effect of one, two and three
-  int most_error_columns = 6;  ///< of the emulator's error: as many as hold `error_share` of its variance
-  double error_share = 0.98;
-  double strength_limit = 1.0;  ///< as GridOptions'
+  int most_error_columns = 3;       ///< of each of the emulator's errors: between its runs, and in other soil
+  double strength_limit = 1.0;      ///< as GridOptions'
 };
 /// For a first look at all subsets.
-inline constexpr NodeGrid coarse_grid = {3.0, 1, {3, 4, 2}, 2, 0.9};
+inline constexpr NodeGrid coarse_grid = {3.0, 1, {3, 4, 2}, 1};
 inline constexpr NodeGrid fine_grid = {};
 
 /// A node in the middle of each cell of the grid; its normal has 0.4 cells for standard deviation (0.29, a
-/// uniform one's, where there is one), so that the sum is even over the cube to 15 %. `whitening` (n x n) is
+/// uniform one's, where there is one), so that the sum is even over the cube to 15 %. The
+/// emulator's errors are those beyond the `scatter` (n x n) [ln^2] of noise and runs; `whitening` (n x n) is
 /// the metric's.
-[[nodiscard]] EffectNodes effect_nodes(const CurveEmulator& emulator, const MatrixXd& whitening,
-                                       const NodeGrid& grid);
+[[nodiscard]] EffectNodes effect_nodes(const CurveEmulator& emulator, const MatrixXd& scatter,
+                                       const MatrixXd& whitening, const NodeGrid& grid);
 
 }  // namespace cpt::diagnosis

@@ -99,12 +99,9 @@ Findings find_several(const Problem& given, const std::vector<ChannelFacts>& cha
   // Scatter.
   const ResponseSurface surface(problem.baseline, problem.parameters, problem.joint);
   Scatter scatter;
-  scatter.numerics = low_rank_plus_diagonal(surface.left_out());
+  scatter.numerics = 1e-8 * MatrixXd::Identity(n, n);
   if (problem.repeats.cols() > 2)
     scatter.numerics += problem.numerical_shares * scatter_of_repeats(found.cells, problem.repeats);
-  const MatrixXd soil = surface.prior_factors(), factors = factor_columns(found.cells, channels);
-  scatter.parameters.resize(n, soil.cols() + factors.cols());
-  scatter.parameters << soil, factors;
   const MatrixXd known = known_noise(found.cells, problem.baseline, channels);
   if (std::ranges::all_of(channels, [](const ChannelFacts& channel) { return channel.noise.has_value(); })) {
     scatter.noises = {{known, 0.0}};
@@ -120,20 +117,26 @@ Findings find_several(const Problem& given, const std::vector<ChannelFacts>& cha
       scatter.noises.push_back(
           {known + on_channels(noise.covariance, found.cells, channels), noise.log_prior});
   }
-  const MatrixXd sigma = scatter.noises[scatter.noises.size() / 2].covariance + scatter.numerics;
-  found.deviation = sigma.diagonal().cwiseSqrt();
+  const MatrixXd likely = scatter.noises[scatter.noises.size() / 2].covariance + scatter.numerics;
+  // The surface's error belongs to the parameters: curves that it may be off by.
+  const MatrixXd soil = surface.prior_factors(), off = beyond_scatter(surface.left_out(), likely, 3);
+  const MatrixXd factors = factor_columns(found.cells, channels);
+  scatter.parameters.resize(n, soil.cols() + off.cols() + factors.cols());
+  scatter.parameters << soil, off, factors;
+  found.deviation = likely.diagonal().cwiseSqrt();
 
   // Subsets.
   std::vector<CurveEmulator> emulators;
   for (const MechanismEffect& effect : problem.mechanisms) emulators.emplace_back(effect);
-  const SubsetWeigher weigher(emulators, metrics_of(found.cells, scatter, options.metrics), options.subsets);
+  const SubsetWeigher weigher(emulators, likely, metrics_of(found.cells, scatter, options.metrics),
+                              options.subsets);
   found.null_mean = surface.prior_mean();
   const VectorXd residual = problem.recorded - found.null_mean;
   found.explained = weigher.explain(residual);
   const WeighedSubset& best = found.explained.subsets.front();
 
   // Alarm, gate, names.
-  NullModel null = null_model(surface, sigma);
+  NullModel null = null_model(surface, likely + off * off.transpose());
   MatrixXd draws = draw_null(null, options.null_draws, options.seed);
   if (factors.cols() > 0) {
     Random random(options.seed, 1000003);

@@ -24,8 +24,8 @@ MatrixXd contrasts(const MatrixXd& repeats) {
 }
 
 VectorXd smoothed_variance(const std::vector<Cell>& cells, const MatrixXd& samples) {
-  constexpr Index reach = 2;
-  constexpr double prior_runs = 4.0;
+  constexpr Index reach = 3;
+  constexpr double prior_runs = 2.0;
   const auto freedom = static_cast<double>(samples.cols());
   const VectorXd raw = samples.rowwise().squaredNorm() / freedom;
   VectorXd smooth(raw.size());
@@ -33,11 +33,12 @@ VectorXd smoothed_variance(const std::vector<Cell>& cells, const MatrixXd& sampl
   for (Index top = 0, bottom = 0; top < n; top = bottom) {
     const auto cell = [&](Index i) { return cells[static_cast<std::size_t>(i)]; };
     while (bottom < n && cell(bottom).same_curve(cell(top))) ++bottom;
-    const double mean = raw.segment(top, bottom - top).mean();
+    // Of the logarithm: a few cells that scatter much say nothing of the others.
+    const double usual = std::exp(raw.segment(top, bottom - top).cwiseMax(1e-18).array().log().mean());
     for (Index i = top; i < bottom; ++i) {
       const Index from = std::max(top, i - reach), to = std::min(bottom, i + reach + 1);
       smooth(i) =
-          (freedom * raw.segment(from, to - from).mean() + prior_runs * mean) / (freedom + prior_runs);
+          (freedom * raw.segment(from, to - from).mean() + prior_runs * usual) / (freedom + prior_runs);
     }
   }
   return smooth;
@@ -111,6 +112,19 @@ MatrixXd scatter_of_repeats(const std::vector<Cell>& cells, const MatrixXd& repe
   const double apart = (S - T).squaredNorm();
   const double weight = apart > chance ? chance / apart : 1.0;
   return weight * T + (1.0 - weight) * S;
+}
+
+MatrixXd beyond_scatter(const MatrixXd& errors, const MatrixXd& scatter, Index most) {
+  const Index n = errors.rows(), runs = errors.cols();
+  if (runs == 0) return MatrixXd(n, 0);
+  const Whitener whitener(scatter);
+  const Eigen::JacobiSVD<MatrixXd> svd(whitener.whiten(errors), Eigen::ComputeThinU);
+  const double edge = std::sqrt(static_cast<double>(n)) + std::sqrt(static_cast<double>(runs));
+  Index kept = 0;
+  while (kept < std::min(most, svd.singularValues().size()) && svd.singularValues()(kept) > edge) ++kept;
+  const VectorXd power =
+      (svd.singularValues().head(kept).array().square() - static_cast<double>(n)) / static_cast<double>(runs);
+  return whitener.colour(svd.matrixU().leftCols(kept) * power.cwiseSqrt().asDiagonal());
 }
 
 EstimatedNoise estimate_noise(const std::vector<Cell>& cells, const VectorXd& difference,

@@ -21,9 +21,16 @@ struct ChannelNoise {
 
 /// Of runs that differ in seed, mesh and time step alone (n x 3 or more): w T + (1 - w) S as
 /// covariance_of_repeats, but the target T has a standard deviation of its own in every cell, the sample's
-/// smoothed over five cells of a curve and drawn towards the curve's mean with the weight of four repeats:
-/// runs scatter most where soils meet. Throws std::invalid_argument for fewer than three.
+/// smoothed over seven cells of a curve and drawn towards the curve's usual one (geometric mean) with the
+/// weight of two repeats: runs scatter most where soils meet. Throws std::invalid_argument for fewer than
+/// three.
 [[nodiscard]] MatrixXd scatter_of_repeats(const std::vector<Cell>& cells, const MatrixXd& repeats);
+
+/// n x k [ln]: times independent standard normals, what is left of errors of some fit (n x runs) [ln] beyond
+/// the scatter that every run has. `scatter` is its covariance. In its metric, principal components larger
+/// than those of as many runs of nothing but scatter, each less what scatter adds to it (the edge of
+/// Marchenko & Pastur 1967, Mathematics of the USSR-Sbornik 1, 457); at most `most`.
+[[nodiscard]] MatrixXd beyond_scatter(const MatrixXd& errors, const MatrixXd& scatter, Index most);
 
 /// A recording whose noise is not known: hypotheses for a relative one, from what is left of recorded less
 /// simulated (n) [ln] beside a parabola and waves longer than `wavelength` [m] in each stretch, the runs' own

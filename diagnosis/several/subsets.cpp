@@ -66,14 +66,14 @@ std::vector<Place> best_places(std::vector<Place> places, double log_evidence) {
 
 bool Subset::has(std::size_t effect) const { return std::ranges::find(effects, effect) != effects.end(); }
 
-SubsetWeigher::SubsetWeigher(const std::vector<CurveEmulator>& effects, const std::vector<Metric>& metrics,
-                             const Options& options)
+SubsetWeigher::SubsetWeigher(const std::vector<CurveEmulator>& effects, const MatrixXd& scatter,
+                             const std::vector<Metric>& metrics, const Options& options)
     : options_(options), metrics_(metrics), subsets_(all_subsets(effects.size())) {
   std::vector<std::size_t> all(effects.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   for (const CurveEmulator& effect : effects) {
-    coarse_.push_back(effect_nodes(effect, metrics.front().whitening, coarse_grid));
-    fine_.push_back(effect_nodes(effect, metrics.front().whitening, fine_grid));
+    coarse_.push_back(effect_nodes(effect, scatter, metrics.front().whitening, coarse_grid));
+    fine_.push_back(effect_nodes(effect, scatter, metrics.front().whitening, fine_grid));
   }
   for (const Metric& metric : metrics_) {
     coarse_combinations_.emplace_back(metric, coarse_);

@@ -56,11 +56,11 @@ class SubsetWeigher {
   };
 
   /// `effects` have the problem's order; their emulators are divided coarsely for a first look and finely for
-  /// the subsets that it leaves.
+  /// the subsets that it leaves. `scatter` (n x n) is that of noise and runs, as effect_nodes wants it.
+  SubsetWeigher(const std::vector<CurveEmulator>& effects, const MatrixXd& scatter,
+                const std::vector<Metric>& metrics, const Options& options);
   SubsetWeigher(const SubsetWeigher&) = delete;  // its combinations look at its nodes
   SubsetWeigher& operator=(const SubsetWeigher&) = delete;
-  SubsetWeigher(const std::vector<CurveEmulator>& effects, const std::vector<Metric>& metrics,
-                const Options& options);
 
   /// `residual` (n) is the recording less the null's mean.
   [[nodiscard]] Explained explain(const VectorXd& residual) const;

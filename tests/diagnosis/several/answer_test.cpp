@@ -35,7 +35,7 @@ class Answers : public testing::Test {
   }
   NullModel null = toy::null(cells);
   Scatter scatter{{{null.sigma, 0.0}}, MatrixXd::Zero(60, 60), null.parameters.prior_factors()};
-  SubsetWeigher weigher{emulators(), metrics_of(cells, scatter, {}), {}};
+  SubsetWeigher weigher{emulators(), null.sigma, metrics_of(cells, scatter, {}), {}};
 };
 
 TEST_F(Answers, NamesWhatIsThereAndGroupsWhatLooksAlike) {

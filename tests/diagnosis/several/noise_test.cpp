@@ -55,6 +55,24 @@ TEST(ScatterOfRepeats, IsLargeOnlyWhereRunsScatter) {
   EXPECT_LT(std::sqrt(loud), 0.16);
 }
 
+// Errors of 12 runs: nothing but their scatter has no component, a curve in them has itself.
+TEST(BeyondScatter, LeavesOutWhatEveryRunScattersBy) {
+  const std::vector<Cell> cells = toy::cells();
+  const MatrixXd scatter = noise_covariance(cells, toy::noise);
+  const Whitener whitener(scatter);
+  MatrixXd errors(60, 12);
+  for (Index k = 0; k < 12; ++k)
+    errors.col(k) = whitener.colour(Random(9, static_cast<std::uint64_t>(k)).normals(60)).col(0);
+  EXPECT_EQ(beyond_scatter(errors, scatter, 3).cols(), 0);
+  const VectorXd curve = toy::top_curve(cells, 1.0, 0.5);
+  for (Index k = 0; k < 12; ++k) errors.col(k) += (k % 2 == 0 ? 1.0 : -1.0) * curve;
+  const MatrixXd found = beyond_scatter(errors, scatter, 3);
+  ASSERT_EQ(found.cols(), 1);
+  EXPECT_NEAR(std::abs(found.col(0).normalized().dot(curve.normalized())), 1.0, 0.02);
+  EXPECT_NEAR(found.norm(), curve.norm(), 0.1 * curve.norm());
+  EXPECT_EQ(beyond_scatter(MatrixXd(60, 0), scatter, 3).cols(), 0);
+}
+
 std::vector<std::vector<Index>> whole(Index from, Index to) {
   std::vector<Index> rows(static_cast<std::size_t>(to - from));
   std::iota(rows.begin(), rows.end(), from);

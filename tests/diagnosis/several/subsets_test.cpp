@@ -31,7 +31,7 @@ class Subsets : public testing::Test {
     return draw_null(null, 1, seed).col(0) + effect;
   }
   NullModel null = toy::null(cells);
-  SubsetWeigher weigher{emulators(), metrics_of(cells, scatter(), {}), {}};
+  SubsetWeigher weigher{emulators(), null.sigma, metrics_of(cells, scatter(), {}), {}};
 };
 
 // One effect by nodes that are normals against Gauss-Legendre over its whole prior. They differ where the
