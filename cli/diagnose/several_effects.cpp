@@ -47,7 +47,7 @@ SeveralEffects several_effects(const Request& request, const std::vector<Soundin
 std::string several_text(const SeveralEffects& effects) {
   const Findings& found = effects.findings;
   const Problem& problem = effects.assembled.problem;
-  std::string text = "Several effects at once: ";
+  std::string text = "Several effects at once (on trial, not yet judged by a sealed round): ";
   if (!found.naming.alarm) {
     text += fmt::format("no sign that something is missing (P = {:.2f}, alarm below {:.2f})", found.nothing,
                         found.alarm_level);
