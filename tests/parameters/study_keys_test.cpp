@@ -14,7 +14,7 @@ namespace {
 // A design that knows the key.
 std::string_view kind_with(std::string_view key) {
   if (key == "runs" || key == "sections" || key == "estimator") return "sobol";
-  if (key == "sampling" || key == "until") return "propagation";
+  if (key == "sampling" || key == "until" || key == "numerical_error_percent") return "propagation";
   return key == "first_runs" ? "latin_hypercube" : "morris";
 }
 
