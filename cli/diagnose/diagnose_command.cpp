@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <stdexcept>
 
 #include "campaign/mpi_transport.hpp"
 #include "cli/command.hpp"
@@ -57,13 +58,19 @@ void diagnose_one(StudyRunner& runner, const RequestFile& asked, bool report) {
   const reports::diagnosed::Answer answer = reports::diagnosed::answer_of(input);
   store_answer(request.database, {request.title, asked.study.name, answer.headline, answer.reservations},
                diagnosis, assembled.problem);
-  const SeveralEffects several = several_effects(request, soundings);
-  store_findings(request.database, several.findings, several.assembled.problem);
+  std::string together;
+  try {
+    const SeveralEffects several = several_effects(request, soundings);
+    store_findings(request.database, several.findings, several.assembled.problem);
+    together = several_text(several);
+  } catch (const std::invalid_argument& problem) {  // the answer above stands without them
+    together = fmt::format("Several effects at once are not weighed: {}", problem.what());
+  }
   for (const std::string& remark : assembled.remarks) fmt::print("note: {}\n", remark);
   fmt::print("{}\n", answer.headline);
   for (const std::string& reservation : answer.reservations) fmt::print("  {}\n", reservation);
   for (const std::string& paragraph : answer.paragraphs) fmt::print("\n{}\n", paragraph);
-  fmt::print("\n{}\n", several_text(several));
+  fmt::print("\n{}\n", together);
   fmt::print("\nanswer in {}\n", request.database.string());
   if (!report) return;
   const auto files = reports::diagnosed::write_diagnosis_report(input, request.report_dir);
