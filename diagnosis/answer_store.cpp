@@ -11,7 +11,6 @@
 #include "diagnosis/prior_range.hpp"
 #include "results/files/database.hpp"
 #include "results/files/patience.hpp"
-#include "solver/mechanisms/catalogue.hpp"
 
 namespace cpt::diagnosis {
 namespace {
@@ -65,27 +64,27 @@ constexpr HeldOutGain no_gain{no_number, no_number, no_number, no_number, no_num
 
 }  // namespace
 
-std::vector<FittedParameter> fitted_parameters(const Diagnosis& diagnosis, const Problem& problem) {
+std::vector<FittedParameter> fitted_parameters(const Diagnosis& diagnosis, const Assembled& assembled) {
   std::vector<FittedParameter> fitted;
   for (std::size_t k = 0; k < diagnosis.mechanisms.size(); ++k) {
     const MechanismEvidence& evidence = diagnosis.mechanisms[k].evidence;
-    const solver::Mechanism* mechanism = solver::find_mechanism(evidence.name);
-    const std::vector<std::string>& names = problem.mechanisms[k].parameters;
-    for (std::size_t j = 0; j < names.size() && mechanism != nullptr; ++j)
-      for (const solver::MechanismParameter& parameter : mechanism->parameters) {
-        if (parameter.quantity.name != names[j]) continue;
-        const auto at = [&](double place) { return prior_value(parameter, place); };
-        const auto i = static_cast<Index>(j);
-        fitted.push_back({evidence.name, names[j], std::string(parameter.quantity.unit), at(evidence.mean(i)),
-                          prior_deviation(parameter, evidence.deviation(i)), at(evidence.lower(i)),
-                          at(evidence.upper(i))});
-      }
+    const MechanismDesign& design = assembled.mechanisms[k];
+    for (std::size_t j = 0; j < design.varied.size(); ++j) {
+      const solver::MechanismParameter& parameter = design.mechanism.parameters[design.varied[j]];
+      const auto at = [&](double place) { return prior_value(parameter, place); };
+      const auto i = static_cast<Index>(j);
+      fitted.push_back({evidence.name, std::string(parameter.quantity.name),
+                        std::string(parameter.quantity.unit), at(evidence.mean(i)),
+                        prior_deviation(parameter, evidence.mean(i), evidence.deviation(i)),
+                        at(evidence.lower(i)), at(evidence.upper(i))});
+    }
   }
   return fitted;
 }
 
 void store_answer(const std::filesystem::path& file, const AnswerText& text, const Diagnosis& diagnosis,
-                  const Problem& problem) {
+                  const Assembled& assembled) {
+  const Problem& problem = assembled.problem;
   const results::Database database(file, results::Database::Mode::read_write);
   results::Transaction transaction(database, results::Transaction::Kind::write);
   database.execute(tables);
@@ -132,7 +131,7 @@ void store_answer(const std::filesystem::path& file, const AnswerText& text, con
         .bind(m.p)
         .run();
   }
-  for (const FittedParameter& f : fitted_parameters(diagnosis, problem))
+  for (const FittedParameter& f : fitted_parameters(diagnosis, assembled))
     database.prepare("INSERT INTO fitted_parameter VALUES (?, ?, ?, ?, ?, ?, ?)")
         .bind(f.mechanism)
         .bind(f.quantity)

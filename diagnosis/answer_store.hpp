@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/diagnose.hpp"
+#include "diagnosis/assemble.hpp"
 
 namespace cpt::diagnosis {
 
@@ -18,7 +18,7 @@ struct FittedParameter {
 
 /// The mechanisms' parameters, from the unit cube to their units, of every mechanism weighed.
 [[nodiscard]] std::vector<FittedParameter> fitted_parameters(const Diagnosis& diagnosis,
-                                                             const Problem& problem);
+                                                             const Assembled& assembled);
 
 /// What an answer is about, and how it is said.
 struct AnswerText {
@@ -30,7 +30,7 @@ struct AnswerText {
 
 /// Replaces what the file holds of an earlier answer, in one transaction. Throws results::Error.
 void store_answer(const std::filesystem::path& database, const AnswerText& text, const Diagnosis& diagnosis,
-                  const Problem& problem);
+                  const Assembled& assembled);
 
 /// An answer as it is read back. Numbers that the diagnosis did not give are NaN.
 struct StoredAnswer : AnswerText {

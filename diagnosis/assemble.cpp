@@ -9,97 +9,15 @@
 #include <stdexcept>
 
 #include "diagnosis/median.hpp"
-#include "parameters/all_realizations.hpp"
-#include "solver/mechanisms/reading.hpp"
+#include "diagnosis/run_curves.hpp"
+#include "diagnosis/several/quieted.hpp"
+#include "parameters/designs/value_of_score.hpp"
+#include "parameters/distributions/copula.hpp"
 
 namespace cpt::diagnosis {
 namespace {
 
 using parameters::Side;
-
-constexpr double least_reading = 1e3;  // [Pa]: logarithms of what a zero's offset leaves, of a sleeve at rest
-
-// ln of the cell means of a channel. No q_c is none; other channels have zeros.
-VectorXd channel_means(const SoundingGrid& grid, std::span<const double> depth, std::vector<double> values,
-                       const solver::Channel& channel) {
-  if (channel.name != "q_c")
-    for (double& value : values) value = std::max(value, least_reading);  // NaN stays
-  return log_cell_means(grid, depth, values);
-}
-
-// The finished curves of one sounding on its grid, channel behind channel.
-class Curves {
- public:
-  Curves(const SoundingData& data, const SoundingGrid& grid, const ChannelList& measured)
-      : data_(data), grid_(grid), measured_(measured) {
-    realizations_ = parameters::all_realizations(data.study.study);
-  }
-
-  /// ln of the cell means, nothing if the realization did not complete.
-  [[nodiscard]] std::optional<VectorXd> of(int id) const {
-    const solver::DepthProfile* profile = profile_of(id);
-    return profile != nullptr ? std::optional(means(*profile)) : std::nullopt;
-  }
-  /// The same as instruments would read it that `changes` tell of, but what is known of the sounding.
-  [[nodiscard]] std::optional<VectorXd> read_otherwise(int id,
-                                                       const std::vector<parameters::Change>& changes) const {
-    const solver::DepthProfile* profile = profile_of(id);
-    if (profile == nullptr) return std::nullopt;
-    solver::Setup setup = data_.study.study.baseline;
-    for (const parameters::Change& change : changes)
-      if (std::ranges::none_of(data_.request.changes, [&](const auto& known) {
-            return known.quantity->name == change.quantity->name;
-          }))
-        change.quantity->set_value(setup, change.value);
-    solver::DepthProfile read = solver::as_recorded(*profile, setup);
-    for (double& q_c : read.q_c) q_c = std::max(q_c, least_reading);
-    return means(read);
-  }
-  [[nodiscard]] std::optional<VectorXd> of_row(int row, Side side) const {
-    return of(parameters::realization_of(realizations_, row, side));
-  }
-  [[nodiscard]] int id_of_point(std::size_t point) const {
-    for (const parameters::Realization& realization : realizations_)
-      if (realization.point == static_cast<int>(point)) return realization.id;
-    throw std::logic_error("no such point");
-  }
-  [[nodiscard]] std::optional<VectorXd> of_point(std::size_t point) const { return of(id_of_point(point)); }
-  [[nodiscard]] const SoundingData& sounding() const { return data_; }
-  [[nodiscard]] int baseline_id() const { return realizations_.front().id; }
-  [[nodiscard]] std::optional<VectorXd> baseline() const { return of(baseline_id()); }
-
- private:
-  [[nodiscard]] const solver::DepthProfile* profile_of(int id) const {
-    for (const results::RealizationRow& row : data_.campaign.realizations)
-      if (row.id == id && !row.completed()) return nullptr;
-    for (const results::CurveRow& curve : data_.campaign.curves)
-      if (curve.realization == id) return &curve.profile;
-    return nullptr;
-  }
-  [[nodiscard]] VectorXd means(const solver::DepthProfile& profile) const {
-    std::vector<VectorXd> channels;
-    for (const solver::Channel* channel : measured_)
-      channels.push_back(channel_means(grid_, profile.depth, profile.*channel->values, *channel));
-    return concatenate(channels);
-  }
-
-  const SoundingData& data_;
-  SoundingGrid grid_;
-  const ChannelList& measured_;
-  std::vector<parameters::Realization> realizations_;
-};
-
-// The same run in all soundings end to end; nothing if one of them is missing.
-template <class Get>
-std::optional<VectorXd> joined_run(const std::vector<Curves>& soundings, const Get& get) {
-  std::vector<VectorXd> parts;
-  for (const Curves& sounding : soundings) {
-    const std::optional<VectorXd> part = get(sounding);
-    if (!part) return std::nullopt;
-    parts.push_back(*part);
-  }
-  return concatenate(parts);
-}
 
 VectorXd recorded_cells(const recordings::Recording& recording, const SoundingGrid& grid,
                         const solver::Channel& channel) {
@@ -130,8 +48,9 @@ void check_pair(const SoundingRequest& sounding, const solver::Channel& channel,
 
 class Assembler {
  public:
-  Assembler(const Request& request, const std::vector<SoundingData>& soundings, const ChannelList& measured)
-      : request_(request), soundings_(soundings), measured_(measured) {}
+  Assembler(const Request& request, const std::vector<SoundingData>& soundings, const ChannelList& measured,
+            bool quiet = false)
+      : request_(request), soundings_(soundings), measured_(measured), quiet_(quiet) {}
 
   Assembled make() {
     lay_grids();
@@ -145,7 +64,7 @@ class Assembler {
   Assembled make_unmeasured(const NoiseModel& measurement) {
     lay_grids();
     std::vector<VectorXd> baseline;
-    for (const Curves& curves : curves_) baseline.push_back(simulated(curves));
+    for (const RunCurves& curves : curves_) baseline.push_back(simulated(curves));
     made_.problem.baseline = made_.problem.recorded = concatenate(baseline);
     made_.problem.measurement = measurement;
     take_runs();
@@ -154,9 +73,13 @@ class Assembler {
 
  private:
   void take_runs() {
-    made_.problem.numerical_shares = request_.simulated ? 2.0 : 1.0;
-    take_parameters();
     take_repeats();
+    if (quiet_) {
+      quieted_.emplace(made_.problem.cells, made_.problem.baseline, made_.problem.repeats);
+      made_.problem.baseline = quieted_->baseline();
+    }
+    made_.problem.numerical_shares = (quieted_ ? quieted_->share() : 1.0) + (request_.simulated ? 1.0 : 0.0);
+    take_parameters();
     take_joint();
     take_mechanisms();
   }
@@ -169,7 +92,7 @@ class Assembler {
     made_.problem.cells = cells_of(grids_, static_cast<int>(measured_.size()));
   }
 
-  [[nodiscard]] VectorXd simulated(const Curves& curves) const {
+  [[nodiscard]] VectorXd simulated(const RunCurves& curves) const {
     const SoundingData& data = curves.sounding();
     const std::optional<VectorXd> baseline = curves.baseline();
     if (!baseline)
@@ -197,6 +120,8 @@ class Assembler {
     made_.problem.baseline = concatenate(baseline);
   }
 
+  [[nodiscard]] VectorXd quiet(VectorXd run) const { return quieted_ ? (*quieted_)(run) : run; }
+
   // Rows that are uncertain in every sounding; what is known in one is taken as it is there.
   void take_parameters() {
     const std::vector<parameters::Row>& rows = soundings_.front().study.study.rows;
@@ -206,33 +131,59 @@ class Assembler {
       effect.baseline = (row.baseline - row.lower) / (row.upper - row.lower);
       effect.two_valued = !row.quantity->choices.empty();
       const auto side = [&](Side which) -> VectorXd {
-        const auto run = joined_run(curves_, [&](const Curves& curves) -> std::optional<VectorXd> {
+        const auto run = joined_run(curves_, [&](const RunCurves& curves) -> std::optional<VectorXd> {
           const auto& own = curves.sounding().study.study.rows;
           for (std::size_t k = 0; k < own.size(); ++k)
             if (own[k].quantity == row.quantity) return curves.of_row(static_cast<int>(k), which);
           return curves.baseline();
         });
-        return run ? *run : VectorXd();
+        return run ? quiet(*run) : VectorXd();
       };
       if (row.lower != row.baseline) effect.lower = side(Side::lower);
       if (row.upper != row.baseline) effect.upper = side(Side::upper);
       if (effect.lower.size() == 0 && effect.upper.size() == 0)
         made_.remarks.push_back(fmt::format("{} is left out: its runs failed", row.quantity->name));
       else
-        made_.problem.parameters.push_back(std::move(effect));
+        made_.problem.parameters.push_back(distributed(std::move(effect), row));
+    }
+    correlate();
+  }
+
+  static ParameterEffect distributed(ParameterEffect effect, const parameters::Row& row) {
+    if (row.marginal != nullptr && !effect.two_valued)
+      effect.place_of_score = [value = parameters::ValueOfScore(row), lower = row.lower, upper = row.upper](
+                                  double score) { return (value(score) - lower) / (upper - lower); };
+    return effect;
+  }
+
+  void correlate() {
+    const parameters::Study& study = soundings_.front().study.study;
+    const std::vector<ParameterEffect>& effects = made_.problem.parameters;
+    const auto count = static_cast<Index>(effects.size());
+    MatrixXd& correlation = made_.problem.correlation;
+    correlation = MatrixXd::Identity(count, count);
+    for (const parameters::RankCorrelation& pair : study.correlations) {
+      const auto place = [&](std::size_t row) {
+        return std::ranges::find(effects, study.rows[row].quantity->name, &ParameterEffect::name) -
+               effects.begin();
+      };
+      const Index a = place(pair.first), b = place(pair.second);
+      if (a < count && b < count)
+        correlation(a, b) = correlation(b, a) = parameters::score_correlation(pair.rho);
     }
   }
 
   MatrixXd points(std::size_t first, std::size_t count, std::vector<std::size_t>& kept) {
     std::vector<VectorXd> columns;
     for (std::size_t k = 0; k < count; ++k) {
-      const auto run = joined_run(curves_, [&](const Curves& curves) { return curves.of_point(first + k); });
+      const auto run =
+          joined_run(curves_, [&](const RunCurves& curves) { return curves.of_point(first + k); });
       if (!run) {
         made_.remarks.push_back(fmt::format("{} is left out: its run failed",
                                             soundings_.front().study.study.points[first + k].name));
         continue;
       }
-      columns.push_back(*run);
+      columns.push_back(quiet(*run));
       kept.push_back(k);
     }
     MatrixXd all(made_.problem.baseline.size(), static_cast<Index>(columns.size()));
@@ -272,9 +223,19 @@ class Assembler {
     return t;
   }
 
+  // The same less the baseline's (runs x parameters).
+  template <class Indices>
+  MatrixXd soil_of(std::size_t first, const Indices& kept) const {
+    MatrixXd soil(static_cast<Index>(kept.size()), surface_->parameters());
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      soil.row(static_cast<Index>(k)) =
+          (place_of(first + static_cast<std::size_t>(kept[k])) - surface_->baseline_place()).transpose();
+    return soil;
+  }
+
   void take_mechanisms() {
     for (const MechanismDesign& design : soundings_.front().study.design.mechanisms) {
-      if (design.mechanism->of_reading) {
+      if (design.mechanism.of_reading) {
         take_mechanism_of_reading(design);
         continue;
       }
@@ -283,7 +244,7 @@ class Assembler {
       const auto least = 4 * static_cast<std::ptrdiff_t>(design.varied.size());
       if (static_cast<std::ptrdiff_t>(kept.size()) < least) {
         made_.remarks.push_back(fmt::format("{} is left out: {} of its runs completed, {} are needed",
-                                            design.mechanism->name, kept.size(), least));
+                                            design.mechanism.name, kept.size(), least));
         continue;
       }
       MechanismEffect effect = effect_of(design);
@@ -300,19 +261,19 @@ class Assembler {
 
   static MechanismEffect effect_of(const MechanismDesign& design) {
     MechanismEffect effect;
-    effect.name = std::string(design.mechanism->name);
+    effect.name = std::string(design.mechanism.name);
     for (const std::size_t varied : design.varied)
-      effect.parameters.emplace_back(design.mechanism->parameters[varied].quantity.name);
+      effect.parameters.emplace_back(design.mechanism.parameters[varied].quantity.name);
     return effect;
   }
 
   // What another reading of a run differs from the run.
   VectorXd reading_effect(const MechanismDesign& design, const VectorXd& phi,
-                          const std::function<int(const Curves&)>& id_in) const {
-    const std::vector<parameters::Change> changes = mechanism_changes(*design.mechanism, phi);
+                          const std::function<int(const RunCurves&)>& id_in) const {
+    const std::vector<parameters::Change> changes = mechanism_changes(design.mechanism, phi);
     const auto otherwise = joined_run(
-        curves_, [&](const Curves& curves) { return curves.read_otherwise(id_in(curves), changes); });
-    const auto plain = joined_run(curves_, [&](const Curves& curves) { return curves.of(id_in(curves)); });
+        curves_, [&](const RunCurves& curves) { return curves.read_otherwise(id_in(curves), changes); });
+    const auto plain = joined_run(curves_, [&](const RunCurves& curves) { return curves.of(id_in(curves)); });
     return otherwise && plain ? VectorXd(*otherwise - *plain) : VectorXd();
   }
 
@@ -323,19 +284,20 @@ class Assembler {
     effect.delta.resize(made_.problem.baseline.size(), design.unit.rows());
     for (Index k = 0; k < design.unit.rows(); ++k)
       effect.delta.col(k) = reading_effect(design, design.unit.row(k).transpose(),
-                                           [](const Curves& curves) { return curves.baseline_id(); });
+                                           [](const RunCurves& curves) { return curves.baseline_id(); });
     std::vector<VectorXd> joint;
     std::vector<Index> kept;
     const std::size_t first = soundings_.front().study.design.first_joint;
     for (Index k = 0; k < design.joint_unit.rows(); ++k) {
       const VectorXd in_other_soil = reading_effect(
           design, design.joint_unit.row(k).transpose(),
-          [&](const Curves& curves) { return curves.id_of_point(first + static_cast<std::size_t>(k)); });
+          [&](const RunCurves& curves) { return curves.id_of_point(first + static_cast<std::size_t>(k)); });
       if (in_other_soil.size() == 0) continue;
       joint.push_back(in_other_soil);
       kept.push_back(k);
     }
     effect.joint_design = design.joint_unit(kept, Eigen::all);
+    effect.joint_soil = soil_of(first, kept);
     effect.joint_delta.resize(made_.problem.baseline.size(), static_cast<Index>(joint.size()));
     for (std::size_t k = 0; k < joint.size(); ++k) effect.joint_delta.col(static_cast<Index>(k)) = joint[k];
     made_.problem.mechanisms.push_back(std::move(effect));
@@ -346,6 +308,7 @@ class Assembler {
     std::vector<std::size_t> kept;
     effect.joint_delta = points(design.first_joint, static_cast<std::size_t>(design.joint_unit.rows()), kept);
     effect.joint_design.resize(effect.joint_delta.cols(), design.unit.cols());
+    effect.joint_soil = soil_of(design.first_joint, kept);
     for (Index k = 0; k < effect.joint_delta.cols(); ++k) {
       const std::size_t run = kept[static_cast<std::size_t>(k)];
       effect.joint_design.row(k) = design.joint_unit.row(static_cast<Index>(run));
@@ -355,7 +318,7 @@ class Assembler {
 
   // Off, whatever the other parameters, where the first varied one is at the bottom of its prior.
   static bool vanishes_at_zero(const MechanismDesign& design) {
-    const auto& parameters = design.mechanism->parameters;
+    const auto& parameters = design.mechanism.parameters;
     solver::Setup off;
     for (std::size_t j = 0; j < parameters.size(); ++j)
       parameters[j].quantity.set_value(off, j == 0 ? parameters[j].prior_lower : parameters[j].prior_upper);
@@ -373,7 +336,9 @@ class Assembler {
   const std::vector<SoundingData>& soundings_;
   const ChannelList& measured_;
   std::vector<SoundingGrid> grids_;
-  std::vector<Curves> curves_;
+  std::vector<RunCurves> curves_;
+  bool quiet_;
+  std::optional<Quieted> quieted_;          // where runs have less of their scatter
   std::optional<ResponseSurface> surface_;  // of the soil's parameters
   Assembled made_;
 };
@@ -418,12 +383,13 @@ void check_recording(const SoundingRequest& sounding, const recordings::Recordin
 }
 
 Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings) {
-  return assemble(request, soundings, {&solver::channels().front()});
+  const ChannelList tip = {&solver::channels().front()};
+  return Assembler(request, soundings, tip).make();
 }
 
 Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings,
                    const ChannelList& channels) {
-  return Assembler(request, soundings, channels).make();
+  return Assembler(request, soundings, channels, true).make();
 }
 
 Assembled assemble_unmeasured(const Request& request, const std::vector<SoundingData>& soundings,

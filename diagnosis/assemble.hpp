@@ -42,7 +42,8 @@ using ChannelList = std::vector<const solver::Channel*>;
 /// together: as check_recording, and fewer than 10 common cells, magnitudes a hundredfold
 /// apart, a baseline that failed.
 [[nodiscard]] Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings);
-/// The same of several channels (q_c and others that recordings have), one behind the other in each sounding.
+/// The same of several channels (q_c and others that recordings have), one behind the other in each sounding,
+/// of runs with less of their scatter (Quieted): the problem's baseline is the mean of it and its repeats.
 [[nodiscard]] Assembled assemble(const Request& request, const std::vector<SoundingData>& soundings,
                                  const ChannelList& channels);
 

@@ -203,6 +203,15 @@ MatrixXd CurveEmulator::covariance(const VectorXd& phi) const {
   return error_scale(phi.transpose())(0) * error_;
 }
 
+CurveEmulator CurveEmulator::scaled(const VectorXd& factors, const MatrixXd& joint_residuals) const {
+  CurveEmulator emulator = *this;
+  emulator.components_ = factors.asDiagonal() * components_;
+  emulator.left_out_ = factors.asDiagonal() * left_out_;
+  emulator.joint_left_ = joint_residuals;
+  emulator.error_ = factors.asDiagonal() * error_ * factors.asDiagonal();
+  return emulator;
+}
+
 CurveEmulator CurveEmulator::rows(const std::vector<Index>& kept) const {
   CurveEmulator emulator = *this;
   emulator.components_ = components_(kept, Eigen::all);

@@ -22,6 +22,7 @@ struct MechanismEffect {
   // With other soil parameters, to see how far the mechanism acts alike in other soil; or none.
   MatrixXd joint_design = {};  // joint runs x parameters, in the unit cube
   MatrixXd joint_delta = {};  // n x joint runs [ln q_c] y - what the soil's parameters alone would make of it
+  MatrixXd joint_soil = {};   // joint runs x p [-] the soil's places t less the baseline's
 };
 
 class CurveEmulator {
@@ -68,6 +69,8 @@ class CurveEmulator {
   };
   [[nodiscard]] ErrorScales error_scales(const MatrixXd& points) const;
 
+  /// The effect times a factor in each cell (n), with these residuals of the joint runs (n x joint runs).
+  [[nodiscard]] CurveEmulator scaled(const VectorXd& factors, const MatrixXd& joint_residuals) const;
   /// The emulator on some of its cells.
   [[nodiscard]] CurveEmulator rows(const std::vector<Index>& kept) const;
 

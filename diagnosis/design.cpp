@@ -45,7 +45,7 @@ DesignPoint repeat(const solver::Setup& baseline, int k) {
 // Places of a mechanism of the reading, ends included: its curves cost no run.
 MechanismDesign reading_design(const solver::Mechanism& mechanism, std::size_t joints) {
   constexpr Index places = 21;
-  MechanismDesign design{&mechanism, {0}, VectorXd::LinSpaced(places, 0.0, 1.0), 0, {}};
+  MechanismDesign design{mechanism, {0}, VectorXd::LinSpaced(places, 0.0, 1.0), 0, {}};
   design.joint_unit.resize(static_cast<Index>(joints), 1);
   for (std::size_t k = 0; k < joints; ++k)
     design.joint_unit.row(static_cast<Index>(k)) = quasi_random(static_cast<int>(k), 1).transpose();
@@ -54,7 +54,7 @@ MechanismDesign reading_design(const solver::Mechanism& mechanism, std::size_t j
 
 // The mechanism's parameters alone.
 MechanismDesign design_of(const solver::Mechanism& mechanism, std::vector<DesignPoint>& points) {
-  MechanismDesign design{&mechanism, varied_parameters(mechanism), {}, points.size(), {}};
+  MechanismDesign design{mechanism, varied_parameters(mechanism), {}, points.size(), {}};
   const auto dimensions = static_cast<Index>(design.varied.size());
   const int runs = dimensions == 1 ? 5 : dimensions == 2 ? 9 : 14;
   design.unit.resize(runs, dimensions);
@@ -77,13 +77,13 @@ void add_joint(MechanismDesign& design, int runs, const std::vector<parameters::
   const auto dimensions = static_cast<Index>(design.varied.size());
   design.first_joint = points.size();
   design.joint_unit.resize(runs, dimensions);
-  const bool one_sided = design.mechanism->parameters.front().prior_lower == 0.0;
+  const bool one_sided = design.mechanism.parameters.front().prior_lower == 0.0;
   for (int k = 0; k < runs; ++k) {
     VectorXd u = quasi_random(first + k, dimensions);
     if (one_sided) u(0) = 0.5 * (1.0 + u(0));  // at little strength there is little to see
     design.joint_unit.row(k) = u.transpose();
-    DesignPoint point{fmt::format("{} joint {}", design.mechanism->name, k + 1),
-                      mechanism_changes(*design.mechanism, u)};
+    DesignPoint point{fmt::format("{} joint {}", design.mechanism.name, k + 1),
+                      mechanism_changes(design.mechanism, u)};
     const VectorXd place = quasi_random(first + k, static_cast<Index>(rows.size()));
     for (const parameters::Change& change : row_changes(rows, place, known)) point.changes.push_back(change);
     points.push_back(std::move(point));
@@ -96,7 +96,9 @@ std::vector<parameters::Change> mechanism_changes(const solver::Mechanism& mecha
   std::vector<parameters::Change> changes;
   for (const std::size_t varied : varied_parameters(mechanism)) {
     const solver::MechanismParameter& parameter = mechanism.parameters[varied];
-    changes.push_back({&parameter.quantity, prior_value(parameter, phi(static_cast<Index>(changes.size())))});
+    // The list's own quantity, which outlives the mechanism.
+    changes.push_back({solver::find_quantity(parameter.quantity.name),
+                       prior_value(parameter, phi(static_cast<Index>(changes.size())))});
   }
   return changes;
 }
@@ -112,17 +114,24 @@ std::vector<parameters::Change> row_changes(const std::vector<parameters::Row>& 
 }
 
 SoundingStudy sounding_study(const parameters::Study& study, const SoundingRequest& sounding,
-                             const std::vector<const solver::Mechanism*>& mechanisms, int repeats,
-                             int joints) {
+                             const std::vector<solver::Mechanism>& mechanisms, int repeats, int joints) {
   SoundingStudy made{study, {}};
   parameters::Study& own = made.study;
   std::string suffix = "-diagnosis";
+  own.correlations.clear();
   for (const parameters::Change& change : sounding.changes) {
     change.quantity->set_value(own.baseline, change.value);
     // What is known is no longer uncertain.
     std::erase_if(own.rows, [&](const parameters::Row& row) { return row.quantity == change.quantity; });
     suffix += fmt::format("-{}-{}", change.quantity->name, change.quantity->format(change.value));
   }
+  const auto place = [&](std::size_t row) {
+    return static_cast<std::size_t>(
+        std::ranges::find(own.rows, study.rows[row].quantity, &parameters::Row::quantity) - own.rows.begin());
+  };
+  for (const parameters::RankCorrelation& pair : study.correlations)
+    if (std::max(place(pair.first), place(pair.second)) < own.rows.size())
+      own.correlations.push_back({place(pair.first), place(pair.second), pair.rho});
   own.name = study.name + suffix;
   own.title = study.title + ", runs for a diagnosis";
   const std::filesystem::path folder = study.database.parent_path();
@@ -144,12 +153,12 @@ SoundingStudy sounding_study(const parameters::Study& study, const SoundingReque
          row_changes(study.rows, quasi_random(static_cast<int>(k), static_cast<Index>(study.rows.size())),
                      sounding.changes)});
   int drawn = joints;
-  for (const solver::Mechanism* mechanism : mechanisms) {
-    if (mechanism->of_reading) {
-      design.mechanisms.push_back(reading_design(*mechanism, design.joint));
+  for (const solver::Mechanism& mechanism : mechanisms) {
+    if (mechanism.of_reading) {
+      design.mechanisms.push_back(reading_design(mechanism, design.joint));
       continue;
     }
-    design.mechanisms.push_back(design_of(*mechanism, own.points));
+    design.mechanisms.push_back(design_of(mechanism, own.points));
     if (design.joint == 0) continue;
     add_joint(design.mechanisms.back(), joint_runs_of_mechanism, study.rows, sounding.changes, drawn,
               own.points);

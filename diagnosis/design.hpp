@@ -10,7 +10,7 @@ namespace cpt::diagnosis {
 /// The runs of one mechanism; or, for one of the reading, the places where its curves are made from the
 /// baseline's and, joint, from the runs at other soil (Design::first_joint). It has no points.
 struct MechanismDesign {
-  const solver::Mechanism* mechanism;
+  solver::Mechanism mechanism;
   std::vector<std::size_t> varied;  ///< of its parameters: those whose prior is a range
   MatrixXd unit;                    // runs x varied, in the unit cube
   std::size_t first_point;          ///< index into the study's points; its runs follow one another
@@ -32,8 +32,8 @@ struct SoundingStudy {
   Design design;
 };
 [[nodiscard]] SoundingStudy sounding_study(const parameters::Study& study, const SoundingRequest& sounding,
-                                           const std::vector<const solver::Mechanism*>& mechanisms,
-                                           int repeats, int joint);
+                                           const std::vector<solver::Mechanism>& mechanisms, int repeats,
+                                           int joint);
 
 /// The mechanism's varied quantities at phi, their places in the unit cube. The others stay as the study has
 /// them.

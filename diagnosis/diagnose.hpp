@@ -14,6 +14,7 @@ struct Problem {
   VectorXd recorded;                        // n [ln q_c]
   VectorXd baseline;                        // n
   std::vector<ParameterEffect> parameters;  ///< one-at-a-time runs
+  MatrixXd correlation;                     ///< of their standard normals (p x p); empty: independent
   MatrixXd repeats;  // n x 3 or more: the baseline with other seeds, meshes, time steps; or n x 0
   JointRuns joint;   ///< runs with several parameters changed; may be none
   std::vector<MechanismEffect> mechanisms;

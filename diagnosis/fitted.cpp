@@ -53,9 +53,9 @@ parameters::Study fitted_study(const Request& request, const SoundingStudy& soun
   for (const std::size_t k : finalists(diagnosis, request.confirm)) {
     const MechanismDesign& design = assembled.mechanisms[k];
     const MechanismFit& fit = diagnosis.mechanisms[k];
-    parameters::DesignPoint fitted{fitted_point(std::string(design.mechanism->name)),
+    parameters::DesignPoint fitted{fitted_point(std::string(design.mechanism.name)),
                                    soil_at(fit.recalibrated.place)};
-    for (const Change& change : mechanism_changes(*design.mechanism, fit.evidence.mode))
+    for (const Change& change : mechanism_changes(design.mechanism, fit.evidence.mode))
       if (std::ranges::none_of(request.soundings[index].changes, [&](const Change& known) {
             return known.quantity->name == change.quantity->name;
           }))

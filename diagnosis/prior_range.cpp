@@ -19,11 +19,15 @@ std::vector<std::size_t> varied_parameters(const solver::Mechanism& mechanism) {
 }
 
 double prior_value(const solver::MechanismParameter& parameter, double place) {
+  if (parameter.prior == solver::Prior::accuracy) {
+    const double even = 2.0 * place - 1.0;
+    place = 0.5 * (1.0 + even * even * even);
+  }
   return between(parameter.prior_lower, parameter.prior_upper, place);
 }
 
-double prior_deviation(const solver::MechanismParameter& parameter, double deviation) {
-  return deviation * (parameter.prior_upper - parameter.prior_lower);
+double prior_deviation(const solver::MechanismParameter& parameter, double place, double deviation) {
+  return 0.5 * (prior_value(parameter, place + deviation) - prior_value(parameter, place - deviation));
 }
 
 double row_value(const parameters::Row& row, double place) {

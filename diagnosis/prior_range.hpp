@@ -15,8 +15,10 @@ namespace cpt::diagnosis {
 
 /// Value of a mechanism's parameter at a place.
 [[nodiscard]] double prior_value(const solver::MechanismParameter& parameter, double place);
-/// A standard deviation of its place as one of its value.
-[[nodiscard]] double prior_deviation(const solver::MechanismParameter& parameter, double deviation);
+/// A standard deviation of its place as one of its value: half of how far values lie apart that are one
+/// deviation below and above the place.
+[[nodiscard]] double prior_deviation(const solver::MechanismParameter& parameter, double place,
+                                     double deviation);
 
 /// Value of a row at a place: the nearest whole number where it must be one; of a choice the lower one below
 /// 0.5.

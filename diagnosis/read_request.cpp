@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "diagnosis/cone_class.hpp"
 #include "diagnosis/read_sounding.hpp"
 #include "diagnosis/request_keys.hpp"
 #include "parameters/all_realizations.hpp"
@@ -57,6 +58,10 @@ class RequestReader {
                   fmt::format("the diagnosis would be written over the study's database {}",
                               study_.database.string()),
                   "give the request another file name");
+    for (solver::Mechanism& mechanism : request_.mechanisms) {
+      look_where_compared(mechanism);
+      look_as_class(mechanism);
+    }
     return std::move(request_);
   }
 
@@ -77,7 +82,7 @@ class RequestReader {
     const Member* member = root_.find("mechanisms");
     if (member == nullptr) {
       for (const solver::Mechanism& mechanism : solver::all_mechanisms())
-        if (applies(mechanism, study_.baseline)) request_.mechanisms.push_back(&mechanism);
+        if (applies(mechanism, study_.baseline)) request_.mechanisms.push_back(mechanism);
       return;
     }
     if (member->value.kind != Value::Kind::array)
@@ -95,13 +100,39 @@ class RequestReader {
       else if (known_ && !applies(*mechanism, study_.baseline))
         errors_.add(item.place, "mechanisms",
                     fmt::format("\"{}\" acts on nothing in this study's profile", item.text));
-      else if (std::ranges::count(request_.mechanisms, mechanism) > 0)
+      else if (std::ranges::count(request_.mechanisms, mechanism->name, &solver::Mechanism::name) > 0)
         errors_.add(item.place, "mechanisms", fmt::format("\"{}\" is given twice", item.text));
       else
-        request_.mechanisms.push_back(mechanism);
+        request_.mechanisms.push_back(*mechanism);
     }
     if (member->value.items.empty())
       errors_.add(member->place, "mechanisms", "is empty", "leave it out for all");
+  }
+
+  // A lens below the soundings' depths does nothing that they could tell.
+  void look_where_compared(solver::Mechanism& mechanism) const {
+    if (request_.soundings.empty()) return;
+    const double top = std::ranges::min(request_.soundings, {}, &SoundingRequest::from).from;
+    const double bottom = std::ranges::max(request_.soundings, {}, &SoundingRequest::to).to;
+    for (solver::MechanismParameter& parameter : mechanism.parameters) {
+      if (parameter.prior != solver::Prior::depth) continue;
+      const auto place = [&](double depth) {
+        return std::clamp(depth / parameter.quantity.scale, parameter.quantity.min, parameter.quantity.max);
+      };
+      parameter.prior_lower = place(top);
+      parameter.prior_upper = place(bottom);
+    }
+  }
+
+  // The catalogue's ranges in kPa are class 2's.
+  void look_as_class(solver::Mechanism& mechanism) const {
+    if (request_.cone_class == 0) return;
+    const double times = cone_accuracy(request_.cone_class).tip / cone_accuracy(2).tip;
+    for (solver::MechanismParameter& parameter : mechanism.parameters) {
+      if (parameter.prior != solver::Prior::accuracy || parameter.quantity.unit != "kPa") continue;
+      parameter.prior_lower *= times;
+      parameter.prior_upper *= times;
+    }
   }
 
   // A positive number of a section, times its unit.
@@ -116,14 +147,14 @@ class RequestReader {
                   fmt::format("{} must be above 0", *number));
   }
 
-  void read_count(const Value& table, std::string_view name, int& into) {
-    const auto number = number_field(table, "options", name, false, errors_);
+  void read_count(const Value& table, std::string_view prefix, std::string_view name, int& into) {
+    const auto number = number_field(table, prefix, name, false, errors_);
     if (!number) return;
-    const Key& key = key_named(request_keys(), "options", name);
+    const Key& key = key_named(request_keys(), prefix, name);
     if (*number == std::round(*number) && *number >= key.least && *number <= key.most)
       into = static_cast<int>(*number);
     else
-      errors_.add(table.find(name)->value.place, joined("options", name),
+      errors_.add(table.find(name)->value.place, joined(prefix, name),
                   fmt::format("{} must be a whole number from {} to {}", *number, key.least, key.most));
   }
 
@@ -133,6 +164,7 @@ class RequestReader {
     refuse_unknown("noise", *table);
     read_positive(*table, "noise", "measurement_percent", 0.01, request_.measurement);
     read_positive(*table, "noise", "correlation_mm", 0.001, request_.correlation);
+    read_count(*table, "noise", "cone_class", request_.cone_class);
     if (const Member* simulated = table->find("simulated")) {
       if (simulated->value.kind != Value::Kind::boolean)
         errors_.add(simulated->place, "noise.simulated", "must be true or false");
@@ -145,9 +177,9 @@ class RequestReader {
     if (table == nullptr) return;
     refuse_unknown("options", *table);
     read_positive(*table, "options", "cell_mm", 0.001, request_.cell_height);
-    read_count(*table, "repeats", request_.repeats);
-    read_count(*table, "joint", request_.joint);
-    read_count(*table, "confirm", request_.confirm);
+    read_count(*table, "options", "repeats", request_.repeats);
+    read_count(*table, "options", "joint", request_.joint);
+    read_count(*table, "options", "confirm", request_.confirm);
     if (const auto seed = number_field(*table, "options", "seed", false, errors_)) {
       constexpr double most = 1e15;  // beyond it not every whole number is a double
       if (*seed == std::round(*seed) && *seed >= 0.0 && *seed <= most)

@@ -165,36 +165,48 @@ MatrixXd ResponseSurface::jacobian(const VectorXd& t) const {
   return jacobian;
 }
 
+Eigen::MatrixXi ResponseSurface::exponents() const {
+  const Index p = parameters();
+  Eigen::MatrixXi powers = Eigen::MatrixXi::Zero(coefficients_.cols() + 1, p);
+  powers.topRows(p).setIdentity();
+  Index row = p;
+  for (const auto& [i, j] : pairs_) {
+    ++powers(row, i);
+    ++powers(row++, j);
+  }
+  return powers;
+}
+
 // The parameters are independent, so the mean of a monomial is the product of the parameters' moments.
-MatrixXd ResponseSurface::prior_moments() const {
-  const Index p = parameters(), count = coefficients_.cols();
-  std::vector<std::array<double, 5>> moment;
-  for (Index j = 0; j < p; ++j) moment.push_back(moments(place_(j), two_valued(j)));
-  const auto add = [&](Index column, std::vector<std::size_t>& powers) {
-    if (column == count) return;  // the constant
-    if (column < p) {
-      ++powers[static_cast<std::size_t>(column)];
-      return;
-    }
-    const auto& [i, j] = pairs_[static_cast<std::size_t>(column - p)];
-    ++powers[static_cast<std::size_t>(i)];
-    ++powers[static_cast<std::size_t>(j)];
-  };
-  MatrixXd result(count + 1, count + 1);
-  for (Index a = 0; a <= count; ++a)
-    for (Index b = 0; b <= count; ++b) {
-      std::vector<std::size_t> powers(static_cast<std::size_t>(p), 0);
-      add(a, powers);
-      add(b, powers);
+MatrixXd ResponseSurface::second_moments(const Moments& moments) const {
+  const Eigen::MatrixXi powers = exponents();
+  MatrixXd result(powers.rows(), powers.rows());
+  for (Index a = 0; a < result.rows(); ++a)
+    for (Index b = 0; b < result.cols(); ++b) {
       double product = 1.0;
-      for (std::size_t j = 0; j < powers.size(); ++j) product *= moment[j][powers[j]];
+      for (std::size_t j = 0; j < moments.size(); ++j) {
+        const auto column = static_cast<Index>(j);
+        product *= moments[j][static_cast<std::size_t>(powers(a, column) + powers(b, column))];
+      }
       result(a, b) = product;
     }
   return result;
 }
 
+MatrixXd ResponseSurface::prior_moments() const {
+  Moments moment;
+  for (Index j = 0; j < parameters(); ++j) moment.push_back(moments(place_(j), two_valued(j)));
+  return second_moments(moment);
+}
+
 VectorXd ResponseSurface::prior_mean() const {
   return baseline_ + coefficients_ * prior_moments().col(coefficients_.cols()).head(coefficients_.cols());
+}
+
+MatrixXd ResponseSurface::factors_of(const MatrixXd& covariance) const {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> principal(covariance);
+  return coefficients_ * principal.eigenvectors() *
+         principal.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 MatrixXd ResponseSurface::prior_factors() const {
@@ -202,10 +214,37 @@ MatrixXd ResponseSurface::prior_factors() const {
   if (count == 0) return {baseline_.size(), 0};
   const MatrixXd second = prior_moments();
   const VectorXd mean = second.col(count).head(count);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> principal(second.topLeftCorner(count, count) -
-                                                          mean * mean.transpose());
-  return coefficients_ * principal.eigenvectors() *
-         principal.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  return factors_of(second.topLeftCorner(count, count) - mean * mean.transpose());
+}
+
+Linearized ResponseSurface::linearized(const std::vector<PlaceRule>& rules) const {
+  const Index p = parameters(), count = coefficients_.cols();
+  if (count == 0) return {baseline_, MatrixXd(baseline_.size(), 0), MatrixXd(baseline_.size(), 0)};
+  Moments moment(rules.size());
+  std::vector<std::array<double, 3>> along(rules.size());  // E s^k x
+  for (std::size_t j = 0; j < rules.size(); ++j) {
+    const Eigen::ArrayXd s = rules[j].places.array() - place_(static_cast<Index>(j));
+    Eigen::ArrayXd power = rules[j].weights.array();
+    for (std::size_t k = 0; k < moment[j].size(); ++k, power *= s) {
+      moment[j][k] = power.sum();
+      if (k < along[j].size()) along[j][k] = (power * rules[j].coordinates.array()).sum();
+    }
+  }
+  const MatrixXd second = second_moments(moment);
+  const VectorXd mean = second.col(count).head(count);
+  // Of each monomial in each coordinate: the other parameters' moments times this one's along it.
+  const Eigen::MatrixXi powers = exponents();
+  MatrixXd slope(count, p);
+  for (Index a = 0; a < count; ++a)
+    for (Index j = 0; j < p; ++j) {
+      slope(a, j) = along[static_cast<std::size_t>(j)][static_cast<std::size_t>(powers(a, j))];
+      for (Index i = 0; i < p; ++i)
+        if (i != j)
+          slope(a, j) *= moment[static_cast<std::size_t>(i)][static_cast<std::size_t>(powers(a, i))];
+    }
+  const MatrixXd rest =
+      second.topLeftCorner(count, count) - mean * mean.transpose() - slope * slope.transpose();
+  return {baseline_ + coefficients_ * mean, coefficients_ * slope, factors_of(rest)};
 }
 
 ResponseSurface ResponseSurface::widened(double width) const {

@@ -10,6 +10,8 @@
 // out in turn (Allen 1974); where no product helps, there is none.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,12 +26,28 @@ struct ParameterEffect {
   double baseline = 0.5;    // [-] t_0, in [0, 1]
   VectorXd lower, upper;    // [ln q_c] y at the bounds; empty where there is no such run
   bool two_valued = false;  ///< a choice: one of the ends is the baseline
+  /// t of a standard normal, ascending: how the parameter is distributed, where that is not evenly between
+  /// its bounds. It may lie beyond these.
+  std::function<double(double)> place_of_score = nullptr;
 };
 
 /// Runs with several parameters changed.
 struct JointRuns {
   MatrixXd places;  // runs x p [-] t, in [0, 1]
   MatrixXd curves;  // n x runs [ln q_c]
+};
+
+/// What one parameter may be, by quadrature: its places t, their weights, which sum to 1, and a coordinate of
+/// mean 0 and variance 1 that the curves are to be linear in.
+struct PlaceRule {
+  VectorXd places, weights, coordinates;
+};
+
+/// y ~ mean + slopes x + remainder z, x the parameters' coordinates, z independent standard normals.
+struct Linearized {
+  VectorXd mean;       // n [ln]
+  MatrixXd slopes;     // n x p
+  MatrixXd remainder;  // n x k: what is not linear, of the right covariance
 };
 
 /// n cells, p parameters.
@@ -59,14 +77,24 @@ class ResponseSurface {
   [[nodiscard]] VectorXd prior_mean() const;
   /// F with Cov y = F F^T over the prior, exact; a column for each s_j and each s_i s_j.
   [[nodiscard]] MatrixXd prior_factors() const;
+  /// The best linear curves over independent parameters, by least squares (statistical linearization: Gelb
+  /// 1974, Applied optimal estimation, section 6.2), exact to the quadrature. `rules`: one for each
+  /// parameter.
+  [[nodiscard]] Linearized linearized(const std::vector<PlaceRule>& rules) const;
   /// The surface with every range `width` times as wide about its baseline; choices stay.
   [[nodiscard]] ResponseSurface widened(double width) const;
 
  private:
   [[nodiscard]] Index column_of(Index i, Index j) const;  ///< of s_i s_j, i <= j
   [[nodiscard]] VectorXd monomials(const VectorXd& s) const;
-  /// E f_a f_b over the prior, f the monomials and, last, the constant 1.
+  using Moments = std::vector<std::array<double, 5>>;  ///< E s_j^k of each parameter
+  /// Exponents of the monomials in each parameter, that of the constant 1 last.
+  [[nodiscard]] Eigen::MatrixXi exponents() const;
+  /// E f_a f_b, f the monomials and, last, the constant 1.
+  [[nodiscard]] MatrixXd second_moments(const Moments& moments) const;
   [[nodiscard]] MatrixXd prior_moments() const;
+  /// F with F F^T the covariance of curves whose monomials have this one.
+  [[nodiscard]] MatrixXd factors_of(const MatrixXd& covariance) const;
   void learn(const JointRuns& joint, const std::vector<ParameterEffect>& effects);
 
   VectorXd baseline_;

@@ -57,11 +57,11 @@ void diagnose_one(StudyRunner& runner, const RequestFile& asked, bool report) {
   const auto input = diagnosis_input(request, soundings, assembled, options, diagnosis, fitted);
   const reports::diagnosed::Answer answer = reports::diagnosed::answer_of(input);
   store_answer(request.database, {request.title, asked.study.name, answer.headline, answer.reservations},
-               diagnosis, assembled.problem);
+               diagnosis, assembled);
   std::string together;
   try {
     const SeveralEffects several = several_effects(request, soundings);
-    store_findings(request.database, several.findings, several.assembled.problem);
+    store_findings(request.database, several.findings, several.assembled);
     together = several_text(several);
   } catch (const std::invalid_argument& problem) {  // the answer above stands without them
     together = fmt::format("Several effects at once are not weighed: {}", problem.what());

@@ -23,10 +23,10 @@ std::optional<page::Curve> fitted_curve(const results::Snapshot& campaign, const
 
 // With those parameters alone that are varied.
 solver::Mechanism varied(const MechanismDesign& design) {
-  solver::Mechanism mechanism = *design.mechanism;
+  solver::Mechanism mechanism = design.mechanism;
   mechanism.parameters.clear();
   for (const std::size_t parameter : design.varied)
-    mechanism.parameters.push_back(design.mechanism->parameters[parameter]);
+    mechanism.parameters.push_back(design.mechanism.parameters[parameter]);
   return mechanism;
 }
 

@@ -15,8 +15,8 @@ using namespace diagnosis;
 namespace {
 
 bool same_mechanisms(const Assembled& a, const Assembled& b) {
-  return std::ranges::equal(a.mechanisms, b.mechanisms, {}, &MechanismDesign::mechanism,
-                            &MechanismDesign::mechanism);
+  const auto name = [](const MechanismDesign& design) { return design.mechanism.name; };
+  return std::ranges::equal(a.mechanisms, b.mechanisms, {}, name, name);
 }
 
 }  // namespace

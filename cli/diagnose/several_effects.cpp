@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/cone_class.hpp"
 #include "diagnosis/several/findings_store.hpp"
 #include "solver/channels.hpp"
 
@@ -28,12 +29,17 @@ SeveralEffects several_effects(const Request& request, const std::vector<Soundin
   const solver::Channel &tip = solver::channel("q_c"), &sleeve = solver::channel("f_s");
   ChannelList channels = {&tip};
   std::vector<ChannelFacts> facts(1);
-  if (request.measurement > 0.0) facts[0].noise = ChannelNoise{request.measurement, 0.0, request.correlation};
+  ConeAccuracy floor{0.0, 0.0};
+  if (request.cone_class > 0) floor = cone_accuracy(request.cone_class);
+  facts[0].floor = ConeAccuracy::scatter * floor.tip;
+  if (request.measurement > 0.0)
+    facts[0].noise = ChannelNoise{request.measurement, facts[0].floor, request.correlation};
   if (std::ranges::all_of(soundings, has_sleeve)) {
     channels.push_back(&sleeve);
     const double of_tip = request.measurement > 0.0 ? request.measurement : usual_noise;
-    facts.push_back({ChannelNoise{of_tip * sleeve.deviation_over_q_c, 0.0, request.correlation},
-                     request.simulated ? 0.0 : level_of_sleeve});
+    facts.push_back({.noise = ChannelNoise{of_tip * sleeve.deviation_over_q_c,
+                                           ConeAccuracy::scatter * floor.sleeve, request.correlation},
+                     .factor = request.simulated ? 0.0 : level_of_sleeve});
   }
   SeveralEffects made{assemble(request, soundings, channels), {}};
   SeveralOptions options;

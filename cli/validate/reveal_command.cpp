@@ -98,8 +98,8 @@ validation::concealed::Benchmark opened(const std::filesystem::path& plan_file) 
   benchmark.preset = std::string(to_string(file.study.preset));
   benchmark.drawn = drawn_at(plan);
   benchmark.withheld = plan.cases.total() - static_cast<int>(truths.size());
-  for (const solver::Mechanism* mechanism : plan.request.mechanisms)
-    benchmark.mechanisms.emplace_back(mechanism->name);
+  for (const solver::Mechanism& mechanism : plan.request.mechanisms)
+    benchmark.mechanisms.emplace_back(mechanism.name);
   for (const auto& [id, truth] : truths) {
     const RequestFile request = read_request_file(plan.cases_folder / request_file(id));
     std::vector<SoundingData> soundings = soundings_of(request);

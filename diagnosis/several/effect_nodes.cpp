@@ -42,6 +42,13 @@ std::vector<int> counts_of(const CurveEmulator& emulator, const MatrixXd& whiten
 
 }  // namespace
 
+EffectNodes EffectNodes::on_rows(const std::vector<Index>& rows) const {
+  EffectNodes part = *this;
+  part.curves = curves(rows, Eigen::all);
+  for (MatrixXd& spread : part.spreads) spread = MatrixXd(spread(rows, Eigen::all));
+  return part;
+}
+
 EffectNodes effect_nodes(const CurveEmulator& emulator, const MatrixXd& scatter, const MatrixXd& whitening,
                          const NodeGrid& grid) {
   const Index dimensions = emulator.dimensions();

@@ -18,6 +18,8 @@ struct EffectNodes {
   std::vector<MatrixXd> spreads;  // of each node n x columns [ln]: times independent standard normals
   VectorXd steps;  // dimensions; the first columns' normals times this is the place less the node's
   [[nodiscard]] Index count() const { return weights.size(); }
+  /// On some of the cells.
+  [[nodiscard]] EffectNodes on_rows(const std::vector<Index>& rows) const;
 };
 
 /// How finely an effect is divided.

@@ -5,7 +5,6 @@
 
 #include "diagnosis/prior_range.hpp"
 #include "results/files/database.hpp"
-#include "solver/mechanisms/catalogue.hpp"
 
 namespace cpt::diagnosis {
 namespace {
@@ -40,23 +39,21 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr ScoreGain no_gain{no_number, no_number};
 constexpr std::size_t most_subsets = 200;
 
-void store_parameters(const results::Database& database, const MechanismEffect& effect,
+void store_parameters(const results::Database& database, const MechanismDesign& design,
                       const EffectSummary& summary) {
-  const solver::Mechanism* mechanism = solver::find_mechanism(effect.name);
-  for (std::size_t j = 0; mechanism != nullptr && j < effect.parameters.size(); ++j)
-    for (const solver::MechanismParameter& parameter : mechanism->parameters) {
-      if (parameter.quantity.name != effect.parameters[j]) continue;
-      const auto d = static_cast<Index>(j);
-      database.prepare("INSERT INTO effect_parameter VALUES (?, ?, ?, ?, ?, ?, ?)")
-          .bind(effect.name)
-          .bind(effect.parameters[j])
-          .bind(std::string(parameter.quantity.unit))
-          .bind(prior_value(parameter, summary.place(d)))
-          .bind(prior_deviation(parameter, summary.deviation(d)))
-          .bind(prior_value(parameter, summary.lower(d)))
-          .bind(prior_value(parameter, summary.upper(d)))
-          .run();
-    }
+  for (std::size_t j = 0; j < design.varied.size(); ++j) {
+    const solver::MechanismParameter& parameter = design.mechanism.parameters[design.varied[j]];
+    const auto d = static_cast<Index>(j);
+    database.prepare("INSERT INTO effect_parameter VALUES (?, ?, ?, ?, ?, ?, ?)")
+        .bind(std::string(design.mechanism.name))
+        .bind(std::string(parameter.quantity.name))
+        .bind(std::string(parameter.quantity.unit))
+        .bind(prior_value(parameter, summary.place(d)))
+        .bind(prior_deviation(parameter, summary.place(d), summary.deviation(d)))
+        .bind(prior_value(parameter, summary.lower(d)))
+        .bind(prior_value(parameter, summary.upper(d)))
+        .run();
+  }
 }
 
 }  // namespace
@@ -69,7 +66,8 @@ std::string subset_name(const Subset& subset, const Problem& problem) {
   return name.empty() ? "nothing" : name;
 }
 
-void store_findings(const std::filesystem::path& file, const Findings& found, const Problem& problem) {
+void store_findings(const std::filesystem::path& file, const Findings& found, const Assembled& assembled) {
+  const Problem& problem = assembled.problem;
   const results::Database database(file, results::Database::Mode::read_write);
   results::Transaction transaction(database, results::Transaction::Kind::write);
   database.execute(tables);
@@ -90,13 +88,12 @@ void store_findings(const std::filesystem::path& file, const Findings& found, co
       .bind(over_nothing.error)
       .run();
   for (std::size_t k = 0; k < problem.mechanisms.size(); ++k) {
-    const MechanismEffect& effect = problem.mechanisms[k];
     database.prepare("INSERT INTO effect VALUES (?, ?, ?)")
-        .bind(effect.name)
+        .bind(problem.mechanisms[k].name)
         .bind(found.explained.inclusion(static_cast<Index>(k)))
         .bind(std::ranges::find(found.naming.named, k) != found.naming.named.end() ? 1 : 0)
         .run();
-    store_parameters(database, effect, found.summary.each[k]);
+    store_parameters(database, assembled.mechanisms[k], found.summary.each[k]);
   }
   int position = 0;
   for (const EffectGroup& group : found.naming.groups) {

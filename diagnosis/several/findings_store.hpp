@@ -4,13 +4,15 @@
 
 #include <filesystem>
 
+#include "diagnosis/assemble.hpp"
 #include "diagnosis/several/findings.hpp"
 
 namespace cpt::diagnosis {
 
-/// Replaces what the file holds of earlier findings, in one transaction; `problem` is the one that they are
+/// Replaces what the file holds of earlier findings, in one transaction; `assembled` is what they are
 /// about. Throws results::Error.
-void store_findings(const std::filesystem::path& database, const Findings& findings, const Problem& problem);
+void store_findings(const std::filesystem::path& database, const Findings& findings,
+                    const Assembled& assembled);
 
 /// "surface_compaction + gain_drift + something else", "nothing".
 [[nodiscard]] std::string subset_name(const Subset& subset, const Problem& problem);

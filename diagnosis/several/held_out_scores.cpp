@@ -5,27 +5,9 @@
 #include <limits>
 
 #include "diagnosis/quadrature.hpp"
-#include "diagnosis/whitener.hpp"
 
 namespace cpt::diagnosis {
 namespace {
-
-// On some of the cells; their covariance is a part of the whole.
-EffectNodes on_rows(const EffectNodes& nodes, const std::vector<Index>& rows) {
-  EffectNodes part = nodes;
-  part.curves = nodes.curves(rows, Eigen::all);
-  for (MatrixXd& spread : part.spreads) spread = MatrixXd(spread(rows, Eigen::all));
-  return part;
-}
-
-Metric on_rows(const Metric& metric, const MatrixXd& covariance, const std::vector<Index>& rows) {
-  const Whitener part(covariance(rows, rows));
-  Metric made = metric;
-  const auto n = static_cast<Index>(rows.size());
-  made.whitening = part.whiten(MatrixXd::Identity(n, n));
-  made.log_determinant = part.log_determinant();
-  return made;
-}
 
 std::vector<Index> others(Index n, const std::vector<Index>& block) {
   std::vector<Index> rest;
@@ -48,12 +30,12 @@ VectorXd held_out_scores(const SubsetWeigher& weigher, const Subset& subset, con
   std::vector<std::vector<double>> logs(parts.size());  // of each metric
   for (const Metric& metric : weigher.metrics()) {
     if (metric.something_else() != subset.something_else) continue;
-    const MatrixXd covariance = (metric.whitening.transpose() * metric.whitening).inverse();
+    const MatrixXd covariance = metric.covariance();
     for (std::size_t p = 0; p < parts.size(); ++p) {
       std::vector<EffectNodes> nodes;
       for (const std::size_t effect : subset.effects)
-        nodes.push_back(on_rows(weigher.fine()[effect], parts[p]));
-      Combinations combinations(on_rows(metric, covariance, parts[p]), nodes);
+        nodes.push_back(weigher.fine()[effect].on_rows(parts[p]));
+      Combinations combinations(metric.on_rows(covariance, parts[p]), nodes);
       combinations.prepare(effects);
       logs[p].push_back(metric.log_prior +
                         combinations.log_evidence(combinations.target(residual(parts[p])), effects));

@@ -21,6 +21,15 @@ MatrixXd strong_span(const MatrixXd& parameters, const Whitener& sigma, const Wh
 
 }  // namespace
 
+Metric Metric::on_rows(const MatrixXd& covariance, const std::vector<Index>& rows) const {
+  const Whitener part(covariance(rows, rows));
+  Metric made = *this;
+  const auto n = static_cast<Index>(rows.size());
+  made.whitening = part.whiten(MatrixXd::Identity(n, n));
+  made.log_determinant = part.log_determinant();
+  return made;
+}
+
 std::vector<Metric> metrics_of(const std::vector<Cell>& cells, const Scatter& scatter,
                                const MetricGrid& grid) {
   std::vector<Metric> without, with;

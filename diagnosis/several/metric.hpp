@@ -17,6 +17,9 @@ struct Metric {
   double amplitude = 0.0;  // [ln] standard deviation of something else; 0: there is none
   double length = 0.0;     // [m] its correlation length
   [[nodiscard]] bool something_else() const { return amplitude > 0.0; }
+  [[nodiscard]] MatrixXd covariance() const { return (whitening.transpose() * whitening).inverse(); }
+  /// On some of the cells, by this covariance, which is its own.
+  [[nodiscard]] Metric on_rows(const MatrixXd& covariance, const std::vector<Index>& rows) const;
 };
 
 /// What the covariances are made of.

@@ -69,17 +69,29 @@ bool Subset::has(std::size_t effect) const { return std::ranges::find(effects, e
 SubsetWeigher::SubsetWeigher(const std::vector<CurveEmulator>& effects, const MatrixXd& scatter,
                              const std::vector<Metric>& metrics, const Options& options)
     : options_(options), metrics_(metrics), subsets_(all_subsets(effects.size())) {
-  std::vector<std::size_t> all(effects.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
   for (const CurveEmulator& effect : effects) {
     coarse_.push_back(effect_nodes(effect, scatter, metrics.front().whitening, coarse_grid));
     fine_.push_back(effect_nodes(effect, scatter, metrics.front().whitening, fine_grid));
   }
+  log_prior_ = log_priors(subsets_, effects.size(), options_.prior);
+  prepare();
+}
+
+SubsetWeigher::SubsetWeigher(const SubsetWeigher& whole, const std::vector<Index>& rows)
+    : options_(whole.options_), subsets_(whole.subsets_), log_prior_(whole.log_prior_) {
+  for (const Metric& metric : whole.metrics_) metrics_.push_back(metric.on_rows(metric.covariance(), rows));
+  for (const EffectNodes& nodes : whole.coarse_) coarse_.push_back(nodes.on_rows(rows));
+  for (const EffectNodes& nodes : whole.fine_) fine_.push_back(nodes.on_rows(rows));
+  prepare();
+}
+
+void SubsetWeigher::prepare() {
+  std::vector<std::size_t> all(coarse_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
   for (const Metric& metric : metrics_) {
     coarse_combinations_.emplace_back(metric, coarse_);
     coarse_combinations_.back().prepare(all);
   }
-  log_prior_ = log_priors(subsets_, effects.size(), options_.prior);
 }
 
 std::vector<WeighedSubset> SubsetWeigher::first_look(const VectorXd& residual) const {

@@ -62,6 +62,9 @@ class SubsetWeigher {
   SubsetWeigher(const SubsetWeigher&) = delete;  // its combinations look at its nodes
   SubsetWeigher& operator=(const SubsetWeigher&) = delete;
 
+  /// The same of some of the cells, as if no others were known.
+  SubsetWeigher(const SubsetWeigher& whole, const std::vector<Index>& rows);
+
   /// `residual` (n) is the recording less the null's mean.
   [[nodiscard]] Explained explain(const VectorXd& residual) const;
   /// By the first look alone: the probability that nothing is missing.
@@ -72,7 +75,13 @@ class SubsetWeigher {
   /// In one metric, these effects prepared. Not longer than the weigher.
   [[nodiscard]] Combinations at(std::size_t metric, std::span<const std::size_t> effects) const;
 
+  /// Probabilities of all subsets by the first look, the most probable first; without places.
+  [[nodiscard]] std::vector<WeighedSubset> glance(const VectorXd& residual) const {
+    return first_look(residual);
+  }
+
  private:
+  void prepare();
   [[nodiscard]] std::vector<WeighedSubset> first_look(const VectorXd& residual) const;
 
   Options options_;

@@ -33,8 +33,13 @@ struct Mixture {
 
 class Summarizer {
  public:
-  Summarizer(const SubsetWeigher& weigher, const VectorXd& residual, const MatrixXd& parameters)
-      : weigher_(weigher), residual_(residual), parameters_(parameters), effects_(weigher.fine().size()) {
+  Summarizer(const SubsetWeigher& weigher, const VectorXd& residual, const MatrixXd& parameters, Index soil)
+      : weigher_(weigher),
+        residual_(residual),
+        parameters_(parameters),
+        normals_(VectorXd::Zero(soil)),
+        squares_(MatrixXd::Zero(soil, soil)),
+        effects_(weigher.fine().size()) {
     const Index n = residual.size();
     all_ = {VectorXd::Zero(n), VectorXd::Zero(n)};
     else_ = all_;
@@ -58,6 +63,8 @@ class Summarizer {
     summary.effects = band(all_);
     summary.something_else = band(else_);
     summary.soil = soil_ / weight_;
+    summary.normals = normals_ / weight_;
+    summary.covariance = squares_ / weight_ - summary.normals * summary.normals.transpose();
     for (const OfEffect& of : effects_) {
       EffectSummary one{
           of.weight / weight_, {}, {}, {}, {}, of.weight > 0.0 ? VectorXd(of.curve / of.weight) : of.curve};
@@ -130,6 +137,7 @@ class Summarizer {
     all_.add(effects + other, variance + other_variance.cwiseMax(0.0), weight);
     else_.add(other, other_variance.cwiseMax(0.0), weight);
     soil_ += weight * (parameters_ * (parameters_.transpose() * pull));
+    add_normals(place.metric, whitened, covariance, pull, weight);
     weight_ += weight;
     for (Index k = 0, at = 0; k < static_cast<Index>(subset.effects.size()); ++k) {
       const auto entry = static_cast<std::size_t>(k);
@@ -149,6 +157,21 @@ class Summarizer {
     }
   }
 
+  // The soil's given the columns are F'C^-1 (e - U normals), 1 - F'C^-1 F; the columns' own add to it.
+  void add_normals(std::size_t metric, const MatrixXd& whitened, const MatrixXd& covariance,
+                   const VectorXd& pull, double weight) {
+    if (normals_.size() == 0) return;
+    const auto [entry, fresh] = soil_whitened_.try_emplace(metric);
+    const auto F = parameters_.leftCols(normals_.size());
+    if (fresh) entry->second = weigher_.metrics()[metric].whitening * F;
+    const MatrixXd& own = entry->second;
+    const VectorXd mean = F.transpose() * pull;
+    const MatrixXd cross = own.transpose() * whitened;
+    normals_ += weight * mean;
+    squares_ += weight * (mean * mean.transpose() + MatrixXd::Identity(own.cols(), own.cols()) -
+                          own.transpose() * own + cross * covariance * cross.transpose());
+  }
+
   [[nodiscard]] const MatrixXd& spread(const Subset& subset, const Place& place, std::size_t k) const {
     return weigher_.fine()[subset.effects[k]].spreads[static_cast<std::size_t>(place.combination.node[k])];
   }
@@ -158,14 +181,16 @@ class Summarizer {
     const auto [entry, fresh] = plain_.try_emplace(noise);
     if (fresh)
       for (const Metric& metric : weigher_.metrics())
-        if (!metric.something_else() && metric.noise == noise)
-          entry->second = (metric.whitening.transpose() * metric.whitening).inverse();
+        if (!metric.something_else() && metric.noise == noise) entry->second = metric.covariance();
     return entry->second;
   }
 
   const SubsetWeigher& weigher_;
   const VectorXd& residual_;
   const MatrixXd& parameters_;
+  VectorXd normals_;
+  MatrixXd squares_;
+  std::map<std::size_t, MatrixXd> soil_whitened_;  // of each metric
   double weight_ = 0.0;
   Sums all_, else_;
   VectorXd soil_;
@@ -176,15 +201,15 @@ class Summarizer {
 }  // namespace
 
 Summary summarize(const SubsetWeigher& weigher, const Explained& explained, const VectorXd& residual,
-                  const MatrixXd& parameters) {
-  Summarizer summarizer(weigher, residual, parameters);
+                  const MatrixXd& parameters, Index soil) {
+  Summarizer summarizer(weigher, residual, parameters, soil);
   for (const WeighedSubset& weighed : explained.subsets) summarizer.add(weighed, weighed.probability);
   return summarizer.done();
 }
 
 Summary summarize(const SubsetWeigher& weigher, const WeighedSubset& subset, const VectorXd& residual,
-                  const MatrixXd& parameters) {
-  Summarizer summarizer(weigher, residual, parameters);
+                  const MatrixXd& parameters, Index soil) {
+  Summarizer summarizer(weigher, residual, parameters, soil);
   summarizer.add(subset, 1.0);
   return summarizer.done();
 }

@@ -67,14 +67,14 @@ std::string fitted_parameters_table(const DiagnosisInput& input) {
       const auto i = static_cast<Index>(j);
       const auto value = [&](double phi) { return brief(prior_value(p, phi)); };
       const std::string unit = markdown(unit_after(quantity.unit));
-      text +=
-          table_line({j == 0 ? markdown(mechanism.title) : "", j == 0 ? markdown(mechanism.signature) : "",
-                      fmt::format("{} ({})", markdown_symbol(quantity.symbol), markdown(quantity.name)),
-                      fmt::format("{} to {}{}", brief(p.prior_lower), brief(p.prior_upper), unit),
-                      markdown(with_deviation(prior_value(p, fit.mean(i)),
-                                              prior_deviation(p, fit.deviation(i)), quantity.unit)),
-                      fmt::format("{} to {}{}", value(fit.lower(i)), value(fit.upper(i)), unit),
-                      value(fit.mode(i)) + unit});
+      text += table_line(
+          {j == 0 ? markdown(mechanism.title) : "", j == 0 ? markdown(mechanism.signature) : "",
+           fmt::format("{} ({})", markdown_symbol(quantity.symbol), markdown(quantity.name)),
+           fmt::format("{} to {}{}", brief(p.prior_lower), brief(p.prior_upper), unit),
+           markdown(with_deviation(prior_value(p, fit.mean(i)),
+                                   prior_deviation(p, fit.mean(i), fit.deviation(i)), quantity.unit)),
+           fmt::format("{} to {}{}", value(fit.lower(i)), value(fit.upper(i)), unit),
+           value(fit.mode(i)) + unit});
     }
   }
   return text + "\n";

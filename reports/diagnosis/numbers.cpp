@@ -70,7 +70,7 @@ Json mechanism_part(const DiagnosisInput& input, std::size_t k) {
                           {"unit", p.quantity.unit},
                           {"range", {p.prior_lower, p.prior_upper}},
                           {"mean", prior_value(p, fit.mean(i))},
-                          {"deviation", prior_deviation(p, fit.deviation(i))},
+                          {"deviation", prior_deviation(p, fit.mean(i), fit.deviation(i))},
                           {"best", prior_value(p, fit.mode(i))},
                           {"interval_90", {prior_value(p, fit.lower(i)), prior_value(p, fit.upper(i))}},
                           {"phi_mean", fit.mean(i)},

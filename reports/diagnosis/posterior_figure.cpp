@@ -59,8 +59,8 @@ void draw_panel(Svg& svg, const Box& box, const solver::MechanismParameter& para
   svg.end_clip();
   svg.frame(box, {palette::ink, 0.6, {}});
   const std::string value =
-      with_deviation(prior_value(parameter, fit.mean(k)), prior_deviation(parameter, fit.deviation(k)),
-                     parameter.quantity.unit);
+      with_deviation(prior_value(parameter, fit.mean(k)),
+                     prior_deviation(parameter, fit.mean(k), fit.deviation(k)), parameter.quantity.unit);
   svg.text({box.x + 0.5 * box.width, box.y - 6.0}, symbolic(parameter.quantity.symbol) + plain(" = " + value),
            {.size = 8.5, .anchor = Anchor::middle, .bold = true});
 }

@@ -26,11 +26,11 @@ std::string fitted_parameters(const DiagnosisInput& input, std::size_t mechanism
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const auto i = static_cast<Index>(k);
     const solver::Quantity& quantity = parameters[k].quantity;
-    parts.push_back(
-        fmt::format("{} = {}{}", quantity.symbol,
-                    with_deviation(prior_value(parameters[k], fit.mean(i)),
-                                   prior_deviation(parameters[k], fit.deviation(i)), quantity.unit),
-                    quantity.meaning.empty() ? "" : fmt::format(" ({})", quantity.meaning)));
+    parts.push_back(fmt::format(
+        "{} = {}{}", quantity.symbol,
+        with_deviation(prior_value(parameters[k], fit.mean(i)),
+                       prior_deviation(parameters[k], fit.mean(i), fit.deviation(i)), quantity.unit),
+        quantity.meaning.empty() ? "" : fmt::format(" ({})", quantity.meaning)));
   }
   return listed(parts);
 }

@@ -19,7 +19,7 @@ Mechanism density_lens_mechanism() {
                          {number<&Setup::mechanisms, &Mechanisms::density_lens, &DensityLens::centre>(
                               "density_lens.centre_mm", "z_lens", millimetres, 0.0, 10000.0, norsand_only,
                               "depth of the lens's middle", "anywhere in the push"),
-                          60.0, 300.0},
+                          60.0, 300.0, Prior::depth},
                          {number<&Setup::mechanisms, &Mechanisms::density_lens, &DensityLens::thickness>(
                               "density_lens.thickness_mm", "t_lens", millimetres, 1.0, 5000.0, norsand_only,
                               "thickness of the lens", "one lift of pluviation"),

@@ -9,10 +9,20 @@
 
 namespace cpt::solver {
 
+/// How a diagnosis looks for a parameter.
+enum class Prior {
+  even,   ///< evenly over the range
+  depth,  ///< a place: evenly over the depths that are compared, whatever the range
+  /// A fault of the instrument, mostly small: the range is four times what the cone's class allows, and two
+  /// of three lie within that (the cube of an even number from -1 to 1).
+  accuracy
+};
+
 /// A parameter of a mechanism, with the range over which a diagnosis looks for it.
 struct MechanismParameter {
   Quantity quantity;                ///< name, unit, valid range; settable in a study like any other
-  double prior_lower, prior_upper;  ///< [study units] uniform prior
+  double prior_lower, prior_upper;  ///< [study units]
+  Prior prior = Prior::even;
 };
 
 struct Mechanism {

@@ -15,7 +15,7 @@ Mechanism zero_drift_mechanism() {
           .parameters = {{number<&Setup::mechanisms, &Mechanisms::zero_drift, &ZeroDrift::at_end>(
                               "zero_drift.at_end_kPa", "Δq_end", kilopascals, -5000.0, 5000.0, any_soil,
                               "recorded less true q_c at the final depth", "ISO 22476-1"),
-                          -100.0, 100.0}},
+                          -400.0, 400.0, Prior::accuracy}},
           .of_reading = true};
 }
 

@@ -16,7 +16,7 @@ Mechanism zero_offset_mechanism() {
       .parameters = {{number<&Setup::mechanisms, &Mechanisms::zero_offset, &ZeroOffset::offset>(
                           "zero_offset.offset_kPa", "Δq_0", kilopascals, -5000.0, 5000.0, any_soil,
                           "recorded less true q_c", "ISO 22476-1"),
-                      -100.0, 100.0}},
+                      -400.0, 400.0, Prior::accuracy}},
       .of_reading = true};
 }
 

@@ -37,16 +37,16 @@ TEST(Design, FillsThePriorOfEachMechanism) {
   ASSERT_GE(sounding_runs.design.mechanisms.size(), 9U);
   for (const MechanismDesign& design : sounding_runs.design.mechanisms) {
     const Index dimensions = design.unit.cols();
-    EXPECT_GE(design.unit.rows(), 4 * dimensions) << design.mechanism->name;
+    EXPECT_GE(design.unit.rows(), 4 * dimensions) << design.mechanism.name;
     EXPECT_GE(design.unit.minCoeff(), 0.0);
     EXPECT_LE(design.unit.maxCoeff(), 1.0);
     for (Index j = 0; j < dimensions; ++j)
-      EXPECT_GT(design.unit.col(j).maxCoeff() - design.unit.col(j).minCoeff(), 0.7) << design.mechanism->name;
-    if (design.mechanism->of_reading) continue;  // it has no runs
+      EXPECT_GT(design.unit.col(j).maxCoeff() - design.unit.col(j).minCoeff(), 0.7) << design.mechanism.name;
+    if (design.mechanism.of_reading) continue;  // it has no runs
     for (Index k = 0; k < design.unit.rows(); ++k) {
       const auto& point = sounding_runs.study.points[design.first_point + static_cast<std::size_t>(k)];
-      EXPECT_EQ(point.name.find(design.mechanism->name), 0U);
-      const auto& parameter = design.mechanism->parameters[design.varied[0]];
+      EXPECT_EQ(point.name.find(design.mechanism.name), 0U);
+      const auto& parameter = design.mechanism.parameters[design.varied[0]];
       EXPECT_DOUBLE_EQ(point.changes[design.varied[0]].value, prior_value(parameter, design.unit(k, 0)));
     }
   }
@@ -55,7 +55,7 @@ TEST(Design, FillsThePriorOfEachMechanism) {
 TEST(Design, EachMechanismAlsoRunsInOtherSoil) {
   const SoundingStudy plain = made(), known = made("fixed = { \"initial.sigma_v0_kPa\" = 60 }\n");
   for (const MechanismDesign& design : plain.design.mechanisms) {
-    if (design.mechanism->of_reading) {
+    if (design.mechanism.of_reading) {
       EXPECT_EQ(design.joint_unit.rows(), static_cast<Index>(plain.design.joint));
       continue;
     }
@@ -63,7 +63,7 @@ TEST(Design, EachMechanismAlsoRunsInOtherSoil) {
     for (Index k = 0; k < 3; ++k) {
       const std::size_t at = design.first_joint + static_cast<std::size_t>(k);
       const auto& point = plain.study.points[at];
-      EXPECT_EQ(point.name, std::string(design.mechanism->name) + " joint " + std::to_string(k + 1));
+      EXPECT_EQ(point.name, std::string(design.mechanism.name) + " joint " + std::to_string(k + 1));
       EXPECT_EQ(point.changes.size(), design.varied.size() + plain.study.rows.size());
       // Where an input is known, the others are the same as where it is not.
       const auto& beside = known.study.points[at];

@@ -35,7 +35,7 @@ TEST(ReadRequest, DefaultsAndWhatIsWritten) {
       "60 }\n");
   EXPECT_EQ(full.title, "T");
   ASSERT_EQ(full.mechanisms.size(), 2U);
-  EXPECT_EQ(full.mechanisms[1]->name, "worn_cone");
+  EXPECT_EQ(full.mechanisms[1].name, "worn_cone");
   EXPECT_DOUBLE_EQ(full.measurement, 0.02);
   EXPECT_DOUBLE_EQ(full.correlation, 0.02);
   EXPECT_TRUE(full.simulated);
@@ -44,6 +44,37 @@ TEST(ReadRequest, DefaultsAndWhatIsWritten) {
   EXPECT_EQ(full.soundings[0].options.columns.size(), 2U);
   ASSERT_EQ(full.soundings[0].changes.size(), 1U);
   EXPECT_EQ(full.soundings[0].changes[0].value, 60.0);
+}
+
+// Between the soundings' depths, 40 and 280 mm, whatever the catalogue's range is.
+TEST(ReadRequest, ALensIsLookedForAtTheDepthsCompared) {
+  const Request request =
+      request_of("study = \"sand.toml\"\nmechanisms = [\"density_lens\", \"worn_cone\"]\n" + sounding);
+  ASSERT_EQ(request.mechanisms.size(), 2U);
+  int places = 0;
+  for (const solver::MechanismParameter& parameter : request.mechanisms[0].parameters) {
+    if (parameter.prior != solver::Prior::depth) continue;
+    ++places;
+    EXPECT_DOUBLE_EQ(parameter.prior_lower, 40.0);
+    EXPECT_DOUBLE_EQ(parameter.prior_upper, 280.0);
+  }
+  EXPECT_EQ(places, 1);
+}
+
+// 35 kPa instead of class 2's 100.
+TEST(ReadRequest, ConesOfAnotherClassHaveOtherFaults) {
+  const std::string text =
+      "study = \"sand.toml\"\nmechanisms = [\"zero_offset\", \"gain_drift\"]\n" + sounding;
+  const Request plain = request_of(text), precise = request_of(text + "[noise]\ncone_class = 1\n");
+  EXPECT_DOUBLE_EQ(plain.mechanisms[0].parameters[0].prior_upper, 400.0);
+  EXPECT_DOUBLE_EQ(precise.mechanisms[0].parameters[0].prior_upper, 140.0);
+  EXPECT_DOUBLE_EQ(precise.mechanisms[0].parameters[0].prior_lower, -140.0);
+  EXPECT_EQ(precise.mechanisms[1].parameters[0].prior_upper, plain.mechanisms[1].parameters[0].prior_upper);
+  for (const std::string wrong : {"0", "5", "1.5", "\"two\""}) {
+    const auto errors = errors_of(text + "[noise]\ncone_class = " + wrong + "\n");
+    ASSERT_EQ(errors.size(), 1U) << wrong;
+    EXPECT_EQ(errors[0].key, "noise.cone_class") << wrong;
+  }
 }
 
 TEST(ReadRequest, CandidatesAreSoundingsWithoutRecording) {

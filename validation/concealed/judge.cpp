@@ -20,7 +20,7 @@ VectorXd true_effect(const Truth& truth, const Prepared& prepared) {
   VectorXd effect = VectorXd::Zero(problem.recorded.size());
   for (const Part& part : truth.parts)
     for (const CurveEmulator& emulator : prepared.emulators)
-      if (emulator.name() == part.mechanism->name) effect += emulator.mean(part.place);
+      if (emulator.name() == part.mechanism.name) effect += emulator.mean(part.place);
   if (!truth.outside) return effect;
   const auto n = static_cast<Index>(problem.cells.size());
   for (Index first = 0; first < n;) {
@@ -62,22 +62,22 @@ std::string label_of(const Truth& truth) {
     return mechanism != nullptr ? std::string(mechanism->name) : none_of_these;
   }
   if (truth.parts.empty()) return nothing_is_missing;
-  std::string label(truth.parts.front().mechanism->name);
+  std::string label(truth.parts.front().mechanism.name);
   for (std::size_t i = 1; i < truth.parts.size(); ++i)
-    label += " + " + std::string(truth.parts[i].mechanism->name);
+    label += " + " + std::string(truth.parts[i].mechanism.name);
   return label;
 }
 
 std::vector<ParameterCheck> check_parameters(const Truth& truth, const StoredAnswer& answer) {
   std::vector<ParameterCheck> checks;
-  if (truth.parts.size() != 1 || answer.answer != truth.parts.front().mechanism->name) return checks;
+  if (truth.parts.size() != 1 || answer.answer != truth.parts.front().mechanism.name) return checks;
   const Part& part = truth.parts.front();
-  const std::vector<std::size_t> varied = varied_parameters(*part.mechanism);
+  const std::vector<std::size_t> varied = varied_parameters(part.mechanism);
   for (std::size_t d = 0; d < varied.size(); ++d) {
-    const solver::MechanismParameter& parameter = part.mechanism->parameters[varied[d]];
+    const solver::MechanismParameter& parameter = part.mechanism.parameters[varied[d]];
     const double value = prior_value(parameter, part.place(static_cast<Index>(d)));
     for (const FittedParameter& fitted : answer.fitted)
-      if (fitted.mechanism == part.mechanism->name && fitted.quantity == parameter.quantity.name)
+      if (fitted.mechanism == part.mechanism.name && fitted.quantity == parameter.quantity.name)
         checks.push_back({fitted, value});
   }
   return checks;
@@ -94,7 +94,7 @@ double Judged::probability_of(const std::string& name) const {
 bool Judged::right() const {
   if (truth.parts.size() < 2) return answer.answer == label;
   return std::ranges::any_of(truth.parts,
-                             [&](const Part& part) { return answer.answer == part.mechanism->name; });
+                             [&](const Part& part) { return answer.answer == part.mechanism.name; });
 }
 
 bool Judged::pair_right() const {

@@ -9,7 +9,7 @@ namespace {
 std::vector<std::string> truths_of(const Judged& judged) {
   if (judged.truth.parts.size() < 2) return {judged.label};
   std::vector<std::string> names;
-  for (const auto& part : judged.truth.parts) names.emplace_back(part.mechanism->name);
+  for (const auto& part : judged.truth.parts) names.emplace_back(part.mechanism.name);
   return names;
 }
 

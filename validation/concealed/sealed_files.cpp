@@ -72,7 +72,7 @@ std::vector<Truth> sealed_truths(const Plan& plan, const parameters::Study& stud
           "{} was drawn for another plan or study; conceal under another name, or remove {} and {}",
           truth_file(plan).string(), plan.sealed_folder.string(), plan.cases_folder.string()));
     std::vector<Truth> truths;
-    for (const Json& one : sealed.at("cases")) truths.push_back(truth_from_json(one));
+    for (const Json& one : sealed.at("cases")) truths.push_back(truth_from_json(one, plan));
     return truths;
   }
   const std::string drawn = entropy();
@@ -87,7 +87,7 @@ void publish_seals(const Plan& plan, const std::vector<int>& made) {
   const Json sealed = read_json(truth_file(plan));
   Json cases = Json::object();
   for (const Json& one : sealed.at("cases")) {
-    const Truth truth = truth_from_json(one);
+    const Truth truth = truth_from_json(one, plan);
     if (std::ranges::find(made, truth.id) != made.end())
       cases[case_name(truth.id)] = seal_of(salt_of(sealed, truth.id), truth);
   }
@@ -125,7 +125,7 @@ std::map<int, Truth> opened_truths(const Plan& plan) {
   const std::map<int, std::string> seals = published_seals(plan);
   std::map<int, Truth> truths;
   for (const Json& one : sealed.at("cases")) {
-    Truth truth = truth_from_json(one);
+    Truth truth = truth_from_json(one, plan);
     const auto seal = seals.find(truth.id);
     if (seal == seals.end()) continue;
     if (seal->second != seal_of(salt_of(sealed, truth.id), truth))

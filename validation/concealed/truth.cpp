@@ -52,7 +52,7 @@ class Rotation {
 
 Part draw_part(const solver::Mechanism& mechanism, Random& random) {
   const auto dimensions = static_cast<Index>(varied_parameters(mechanism).size());
-  Part part{&mechanism, VectorXd(dimensions)};
+  Part part{mechanism, VectorXd(dimensions)};
   for (Index d = 0; d < dimensions; ++d) part.place(d) = random.uniform();
   return part;
 }
@@ -70,7 +70,7 @@ std::vector<Change> changes_of(const Truth& truth, const SoundingRequest& known,
                                const parameters::Study& study, std::size_t sounding) {
   std::vector<Change> changes = row_changes(study.rows, truth.soil, known.changes);
   for (const Part& part : truth.parts)
-    for (const Change& change : mechanism_changes(*part.mechanism, part.place)) changes.push_back(change);
+    for (const Change& change : mechanism_changes(part.mechanism, part.place)) changes.push_back(change);
   const Numerics& numerics = truth.soundings[sounding];
   const auto set = [&](std::string_view name, double si) {
     const solver::Quantity* quantity = solver::find_quantity(name);
@@ -129,11 +129,10 @@ std::vector<Truth> draw_truths(const Plan& plan, const parameters::Study& study,
   Rotation mechanisms(plan.request.mechanisms.size()), outsides(outside_kinds().size());
   std::vector<Truth> truths;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    std::vector<const solver::Mechanism*> chosen;
-    if (kinds[i] == "single" || kinds[i] == "pair")
-      chosen.push_back(plan.request.mechanisms[mechanisms.next(random)]);
+    std::vector<std::size_t> chosen;  // of the plan's
+    if (kinds[i] == "single" || kinds[i] == "pair") chosen.push_back(mechanisms.next(random));
     while (kinds[i] == "pair" && chosen.size() < 2) {
-      const solver::Mechanism* second = plan.request.mechanisms[mechanisms.next(random)];
+      const std::size_t second = mechanisms.next(random);
       if (second != chosen.front()) chosen.push_back(second);
     }
     const std::string_view outside = kinds[i] == "outside" ? outside_kinds()[outsides.next(random)] : "";
@@ -141,7 +140,7 @@ std::vector<Truth> draw_truths(const Plan& plan, const parameters::Study& study,
       if (tries == 100) throw std::invalid_argument("a hundred draws in turn were no possible setup");
       Truth truth{static_cast<int>(i) + 1, {}, std::nullopt, VectorXd(study.rows.size()), {}};
       for (double& place : truth.soil) place = random.uniform();
-      for (const solver::Mechanism* mechanism : chosen) truth.parts.push_back(draw_part(*mechanism, random));
+      for (const std::size_t k : chosen) truth.parts.push_back(draw_part(plan.request.mechanisms[k], random));
       const SoundingRequest& first = plan.request.soundings.front();
       if (!outside.empty()) truth.outside = draw_outside(outside, first.from, first.to, random);
       for (int s = 0; s < (two[i] ? 2 : 1); ++s) truth.soundings.push_back(draw_numerics(random));
@@ -232,8 +231,8 @@ std::string request_text(const Plan& plan, const parameters::Study& study, const
   const auto quoted = [](const std::string& text) { return Json(text).dump(); };  // TOML's basic strings
   std::string text = fmt::format("title = {}\nstudy = {}\nmechanisms = [", quoted(case_name(truth.id)),
                                  quoted(study.file.lexically_relative(plan.cases_folder).generic_string()));
-  for (const solver::Mechanism* mechanism : request.mechanisms)
-    text += fmt::format("\"{}\", ", mechanism->name);
+  for (const solver::Mechanism& mechanism : request.mechanisms)
+    text += fmt::format("\"{}\", ", mechanism.name);
   text += "]\n";
   for (std::size_t s = 0; s < truth.soundings.size(); ++s) {
     const SoundingRequest& sounding = request.soundings[s];
@@ -251,12 +250,13 @@ std::string request_text(const Plan& plan, const parameters::Study& study, const
     }
     text += " }\n";
   }
+  const std::string cone = request.cone_class > 0 ? fmt::format("cone_class = {}\n", request.cone_class) : "";
   text += fmt::format(
-      "\n[noise]\nmeasurement_percent = {}\ncorrelation_mm = {}\nsimulated = true\n\n[options]\ncell_mm = "
+      "\n[noise]\n{}measurement_percent = {}\ncorrelation_mm = {}\nsimulated = true\n\n[options]\ncell_mm = "
       "{}\n"
       "repeats = {}\njoint = {}\nconfirm = {}\n",
-      100.0 * request.measurement, 1e3 * request.correlation, 1e3 * request.cell_height, request.repeats,
-      request.joint, request.confirm);
+      cone, 100.0 * request.measurement, 1e3 * request.correlation, 1e3 * request.cell_height,
+      request.repeats, request.joint, request.confirm);
   return text;
 }
 
@@ -266,7 +266,7 @@ Json to_json(const Truth& truth) {
             {"parts", Json::array()},
             {"soundings", Json::array()}};
   for (const Part& part : truth.parts)
-    json["parts"].push_back({{"mechanism", part.mechanism->name}, {"place", array(part.place)}});
+    json["parts"].push_back({{"mechanism", part.mechanism.name}, {"place", array(part.place)}});
   if (truth.outside)
     json["outside"] = {{"kind", truth.outside->kind},
                        {"size", truth.outside->size},
@@ -280,13 +280,15 @@ Json to_json(const Truth& truth) {
   return json;
 }
 
-Truth truth_from_json(const Json& json) {
+Truth truth_from_json(const Json& json, const Plan& plan) {
   try {
     Truth truth{json.at("case").get<int>(), {}, std::nullopt, vector(json.at("soil")), {}};
     for (const Json& part : json.at("parts")) {
-      const solver::Mechanism* mechanism = solver::find_mechanism(part.at("mechanism").get<std::string>());
-      if (mechanism == nullptr) throw std::invalid_argument("a mechanism that is not in the catalogue");
-      truth.parts.push_back({mechanism, vector(part.at("place"))});
+      const auto mechanism = std::ranges::find(
+          plan.request.mechanisms, part.at("mechanism").get<std::string>(), &solver::Mechanism::name);
+      if (mechanism == plan.request.mechanisms.end())
+        throw std::invalid_argument("a mechanism that the plan has not");
+      truth.parts.push_back({*mechanism, vector(part.at("place"))});
     }
     if (json.contains("outside")) {
       const Json& o = json["outside"];

@@ -13,7 +13,7 @@ namespace cpt::validation::concealed {
 
 /// A mechanism at a place in its prior.
 struct Part {
-  const solver::Mechanism* mechanism;
+  solver::Mechanism mechanism;
   diagnosis::VectorXd place;  ///< of its varied parameters, in the unit cube
 };
 
@@ -61,8 +61,8 @@ struct Truth {
 [[nodiscard]] std::string recording_file(int id, std::size_t sounding);
 
 [[nodiscard]] nlohmann::json to_json(const Truth& truth);
-/// Throws std::invalid_argument for what is not a truth.
-[[nodiscard]] Truth truth_from_json(const nlohmann::json& json);
+/// Throws std::invalid_argument for what is not a truth of the plan.
+[[nodiscard]] Truth truth_from_json(const nlohmann::json& json, const Plan& plan);
 
 /// SHA-256 of salt and truth: tells nothing without the salt, and fits no other truth.
 [[nodiscard]] std::string seal_of(const std::string& salt, const Truth& truth);

@@ -44,7 +44,7 @@ Problem problem(const VectorXd& missing, std::uint64_t seed) {
   return p;
 }
 
-const std::vector<ChannelFacts> known(2, {ChannelNoise{0.02, 0.0, 0.03}, 0.0});
+const std::vector<ChannelFacts> known(2, {.noise = ChannelNoise{0.02, 0.0, 0.03}});
 
 TEST(Findings, NameAnEffectWithItsCurveAndGain) {
   const VectorXd missing = doubled(toy::top_curve(one, 0.7, 0.5), -1.0);
