@@ -279,7 +279,7 @@ class Assembler {
 
   void take_mechanism_of_reading(const MechanismDesign& design) {
     MechanismEffect effect = effect_of(design);
-    effect.vanishes_at_zero = false;  // read too high or too low
+    effect.vanishes_at_zero = vanishes_at_zero(design);  // not where read too high or too low
     effect.design = design.unit;
     effect.delta.resize(made_.problem.baseline.size(), design.unit.rows());
     for (Index k = 0; k < design.unit.rows(); ++k)

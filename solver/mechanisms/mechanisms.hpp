@@ -14,6 +14,7 @@
 #include "solver/mechanisms/overconsolidation.hpp"
 #include "solver/mechanisms/previous_push.hpp"
 #include "solver/mechanisms/rate_dependence.hpp"
+#include "solver/mechanisms/sleeve_load.hpp"
 #include "solver/mechanisms/strain_softening.hpp"
 #include "solver/mechanisms/strength_gradient.hpp"
 #include "solver/mechanisms/surface_compaction.hpp"
@@ -44,6 +45,7 @@ struct Mechanisms {
   ZeroOffset zero_offset;
   ZeroDrift zero_drift;
   GainDrift gain_drift;
+  SleeveLoad sleeve_load;
 };
 
 }  // namespace cpt::solver

@@ -5,6 +5,7 @@ namespace cpt::solver {
 DepthProfile as_recorded(DepthProfile profile, const Setup& setup) {
   const double offset = setup.mechanisms.zero_offset.offset, drift = setup.mechanisms.zero_drift.at_end;
   const double gain = setup.mechanisms.gain_drift.at_end, shift = setup.mechanisms.depth_datum.shift;
+  setup.mechanisms.sleeve_load.apply(profile, setup.penetrometer);
   if (offset != 0.0 || drift != 0.0 || gain != 0.0)
     for (std::size_t i = 0; i < profile.q_c.size(); ++i) {
       const double way = profile.depth[i] / setup.penetrometer.final_depth;

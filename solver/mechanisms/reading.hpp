@@ -6,9 +6,10 @@
 
 namespace cpt::solver {
 
-/// The profile of a push as it would be recorded: with the drift of the load cell's gain, the offset and
-/// drift of its zero, and depths from the shifted datum. As it is where all four are off. Sources:
-/// gain_drift.hpp, zero_offset.hpp, zero_drift.hpp, depth_datum.hpp.
+/// The profile of a push as it would be recorded: with what of the sleeve's force reaches the tip's load
+/// cell, the drift of that cell's gain, the offset and drift of its zero, and depths from the shifted datum.
+/// As it is where all are off. Sources: sleeve_load.hpp, gain_drift.hpp, zero_offset.hpp, zero_drift.hpp,
+/// depth_datum.hpp.
 [[nodiscard]] DepthProfile as_recorded(DepthProfile profile, const Setup& setup);
 
 }  // namespace cpt::solver

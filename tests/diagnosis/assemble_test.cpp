@@ -107,6 +107,16 @@ TEST_F(Assembling, MechanismsOfTheReadingAreReadFromTheRunsAtHand) {
   EXPECT_EQ(offset.joint_delta.cols(), request.joint);
 }
 
+TEST_F(Assembling, AReadingThatIsOnlyEverTooHighVanishesAtZero) {
+  request = request_of("study = \"sand.toml\"\nmechanisms = [\"sleeve_load\", \"gain_drift\"]\n" + sounding);
+  soundings[0].study =
+      sounding_study(quick_sand(), request.soundings[0], request.mechanisms, request.repeats, request.joint);
+  const Assembled made = assemble(request, soundings);
+  ASSERT_EQ(made.problem.mechanisms.size(), 2U);
+  EXPECT_TRUE(made.problem.mechanisms[0].vanishes_at_zero);   // from 0
+  EXPECT_FALSE(made.problem.mechanisms[1].vanishes_at_zero);  // from too low to too high
+}
+
 TEST_F(Assembling, LeavesOutWhatFailedAndSaysSo) {
   const parameters::Study& study = soundings[0].study.study;
   for (const parameters::Realization& realization : parameters::all_realizations(study))

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <vector>
 
 #include "solver/actual_setup.hpp"
 #include "solver/mechanisms/catalogue.hpp"
@@ -34,6 +36,27 @@ TEST(LoadCell, ReadsOtherwiseWhatThePushIs) {
   for (std::size_t k = 0; k < plain.profile.depth.size(); ++k)
     EXPECT_DOUBLE_EQ(read.profile.q_c[k], plain.profile.q_c[k] * (1.0 + 0.1 * plain.profile.depth[k] / 0.04) +
                                               (-20e3 + 60e3 * plain.profile.depth[k] / 0.04));
+}
+
+TEST(SleeveLoad, LeavesTheForceOnTipAndSleeveAsItIs) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.04);
+  DepthProfile pushed;
+  pushed.depth = {0.01, 0.02, 0.03};
+  pushed.q_c = {1e6, 5e6, 2e6};
+  pushed.f_s = {0.0, 30e3, 12e3};
+  EXPECT_EQ(as_recorded(pushed, setup).q_c, pushed.q_c);
+  setup.mechanisms.sleeve_load.share = 0.07;
+  const DepthProfile read = as_recorded(pushed, setup);
+  const double d = setup.penetrometer.diameter;
+  const double A_c = 0.25 * std::numbers::pi * d * d,
+               A_s = std::numbers::pi * d * setup.penetrometer.sleeve_length;
+  EXPECT_EQ(read.depth, pushed.depth);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_DOUBLE_EQ(read.f_s[k], 0.93 * pushed.f_s[k]);
+    EXPECT_DOUBLE_EQ(read.q_c[k] * A_c + read.f_s[k] * A_s, pushed.q_c[k] * A_c + pushed.f_s[k] * A_s);
+  }
+  setup.mechanisms.sleeve_load.share = 1.0;  // all of it
+  EXPECT_EQ(as_recorded(pushed, setup).f_s, std::vector<double>(3, 0.0));
 }
 
 // What the diagnosis relies on: the reading of a stored push equals a push that was read so.
