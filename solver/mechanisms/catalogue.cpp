@@ -28,6 +28,7 @@ Mechanism zero_offset_mechanism();
 Mechanism zero_drift_mechanism();
 Mechanism gain_drift_mechanism();
 Mechanism sleeve_load_mechanism();
+Mechanism inclination_mechanism();
 
 std::span<const Mechanism> all_mechanisms() {
   static const std::vector<Mechanism> catalogue = {
@@ -37,7 +38,7 @@ std::span<const Mechanism> all_mechanisms() {
       rate_dependence_mechanism(),    strength_gradient_mechanism(), clay_crust_mechanism(),
       depth_datum_mechanism(),        layer_shift_mechanism(),       interface_mixing_mechanism(),
       worn_cone_mechanism(),          zero_offset_mechanism(),       zero_drift_mechanism(),
-      gain_drift_mechanism(),         sleeve_load_mechanism(),
+      gain_drift_mechanism(),         sleeve_load_mechanism(),       inclination_mechanism(),
   };
   return catalogue;
 }

@@ -9,6 +9,7 @@
 #include "solver/mechanisms/depth_datum.hpp"
 #include "solver/mechanisms/gain_drift.hpp"
 #include "solver/mechanisms/grain_crushing.hpp"
+#include "solver/mechanisms/inclination.hpp"
 #include "solver/mechanisms/interface_mixing.hpp"
 #include "solver/mechanisms/layer_shift.hpp"
 #include "solver/mechanisms/overconsolidation.hpp"
@@ -46,6 +47,7 @@ struct Mechanisms {
   ZeroDrift zero_drift;
   GainDrift gain_drift;
   SleeveLoad sleeve_load;
+  Inclination inclination;
 };
 
 }  // namespace cpt::solver

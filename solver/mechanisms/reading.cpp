@@ -11,6 +11,8 @@ DepthProfile as_recorded(DepthProfile profile, const Setup& setup) {
       const double way = profile.depth[i] / setup.penetrometer.final_depth;
       profile.q_c[i] = profile.q_c[i] * (1.0 + gain * way) + (offset + drift * way);
     }
+  if (const Inclination& inclination = setup.mechanisms.inclination; inclination.on())
+    for (double& depth : profile.depth) depth = inclination.length(depth, setup.penetrometer.final_depth);
   if (shift != 0.0)
     for (double& depth : profile.depth) depth += shift;
   return profile;

@@ -7,9 +7,9 @@
 namespace cpt::solver {
 
 /// The profile of a push as it would be recorded: with what of the sleeve's force reaches the tip's load
-/// cell, the drift of that cell's gain, the offset and drift of its zero, and depths from the shifted datum.
-/// As it is where all are off. Sources: sleeve_load.hpp, gain_drift.hpp, zero_offset.hpp, zero_drift.hpp,
-/// depth_datum.hpp.
+/// cell, the drift of that cell's gain, the offset and drift of its zero, and depths along rods that leave
+/// the vertical, from the shifted datum. As it is where all are off. Sources: sleeve_load.hpp,
+/// gain_drift.hpp, zero_offset.hpp, zero_drift.hpp, inclination.hpp, depth_datum.hpp.
 [[nodiscard]] DepthProfile as_recorded(DepthProfile profile, const Setup& setup);
 
 }  // namespace cpt::solver

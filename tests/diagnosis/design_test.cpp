@@ -78,7 +78,8 @@ TEST(Design, EachMechanismAlsoRunsInOtherSoil) {
 
 TEST(Design, AMechanismOfTheReadingCostsNoRun) {
   for (const parameters::DesignPoint& point : made().study.points)
-    for (const char* name : {"depth_datum", "zero_offset", "zero_drift", "gain_drift", "sleeve_load"})
+    for (const char* name :
+         {"depth_datum", "zero_offset", "zero_drift", "gain_drift", "sleeve_load", "inclination"})
       EXPECT_EQ(point.name.find(name), std::string::npos) << point.name;
 }
 

@@ -59,6 +59,27 @@ TEST(SleeveLoad, LeavesTheForceOnTipAndSleeveAsItIs) {
   EXPECT_EQ(as_recorded(pushed, setup).f_s, std::vector<double>(3, 0.0));
 }
 
+// Against the length summed over short straight pieces, and its first terms: z (1 + angle^2 / 6) at the end.
+TEST(Inclination, RecordsTheLengthOfTheRods) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.5);
+  DepthProfile pushed;
+  pushed.depth = {0.0, 0.1, 0.3, 0.5};
+  pushed.q_c = pushed.f_s = {0.0, 1e6, 2e6, 3e6};
+  EXPECT_EQ(as_recorded(pushed, setup).depth, pushed.depth);
+  setup.mechanisms.inclination.at_end = 0.6;
+  const DepthProfile read = as_recorded(pushed, setup);
+  EXPECT_EQ(read.q_c, pushed.q_c);
+  for (std::size_t k = 0; k < pushed.depth.size(); ++k) {
+    const int pieces = 2000;
+    double length = 0.0;
+    for (int i = 0; i < pieces; ++i)
+      length += pushed.depth[k] / pieces / std::cos(0.6 * pushed.depth[k] * (i + 0.5) / pieces / 0.5);
+    EXPECT_NEAR(read.depth[k], length, 1e-7 * length);
+  }
+  setup.mechanisms.inclination.at_end = 1e-3;
+  EXPECT_NEAR(as_recorded(pushed, setup).depth.back() / 0.5 - 1.0, 1e-6 / 6.0, 1e-12);
+}
+
 // What the diagnosis relies on: the reading of a stored push equals a push that was read so.
 TEST(Reading, OfAPlainPushIsThePushReadSo) {
   solver::Setup setup = quick(Profile::homogeneous_clay, 0.04);
