@@ -13,11 +13,13 @@ Setup actual_setup(const Setup& setup) {
     if (auto* sand = std::get_if<NorSandParameters>(&soil.parameters))
       sand->OCR *= mechanisms.overconsolidation.factor();
   mechanisms.layer_shift.apply(actual.layers);
+  mechanisms.layer_thickness.apply(actual.layers);
   actual.penetrometer.diameter -= mechanisms.worn_cone.diameter_loss;
   actual.penetrometer.apex += mechanisms.worn_cone.apex_increase;
   mechanisms.cushion_transfer = {};
   mechanisms.overconsolidation = {};
   mechanisms.layer_shift = {};
+  mechanisms.layer_thickness = {};
   mechanisms.worn_cone = {};
   actual.numerics = refined(setup);
   actual.numerics.for_diameter = actual.penetrometer.diameter;  // a worn cone keeps the mesh

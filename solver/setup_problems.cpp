@@ -218,17 +218,19 @@ bool Check::zones() {
 // The first layer that the model cannot make tells.
 void Check::made() {
   const std::vector<Layer> layers = actual_setup(setup_).layers;
-  const bool shifted = setup_.mechanisms.layer_shift.shift != 0.0;
+  const bool shifted = setup_.mechanisms.layer_shift.shift != 0.0,
+             thickened = setup_.mechanisms.layer_thickness.on();
+  const std::string_view mover = thickened ? "layer_thickness.change_mm" : "layer_shift.shift_mm";
   for (const Layer& layer : layers)
     if (!(layer.bottom > layer.top + touching))
-      return add("layer_shift.shift_mm", fmt::format("{} leaves nothing of the layer down to {:.4g} m",
-                                                     given("layer_shift.shift_mm"), layer.bottom));
+      return add(mover,
+                 fmt::format("{} leaves nothing of the layer down to {:.4g} m", given(mover), layer.bottom));
   for (std::size_t k = 0; k < layers.size() && layers.size() > 1; ++k) {
     const Layer& layer = layers[k];
     const std::string why = too_thin(setup_, layer.top, layer.bottom, "the " + setup_.soils[layer.soil].name);
     if (why.empty()) continue;
-    if (shifted)
-      add("layer_shift.shift_mm", fmt::format("with {}, {}", given("layer_shift.shift_mm"), why));
+    if (shifted || thickened)
+      add(mover, fmt::format("with {}, {}", given(mover), why));
     else
       problems_.push_back({"layers", why, k});
     break;

@@ -1,7 +1,7 @@
 #include "solver/mechanisms/catalogue.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <cstddef>
 #include <string>
 
 #include "solver/soils/law.hpp"
@@ -29,6 +29,7 @@ Mechanism zero_drift_mechanism();
 Mechanism gain_drift_mechanism();
 Mechanism sleeve_load_mechanism();
 Mechanism inclination_mechanism();
+Mechanism layer_thickness_mechanism();
 
 std::span<const Mechanism> all_mechanisms() {
   static const std::vector<Mechanism> catalogue = {
@@ -39,6 +40,7 @@ std::span<const Mechanism> all_mechanisms() {
       depth_datum_mechanism(),        layer_shift_mechanism(),       interface_mixing_mechanism(),
       worn_cone_mechanism(),          zero_offset_mechanism(),       zero_drift_mechanism(),
       gain_drift_mechanism(),         sleeve_load_mechanism(),       inclination_mechanism(),
+      layer_thickness_mechanism(),
   };
   return catalogue;
 }
@@ -54,8 +56,10 @@ bool is_mechanism_parameter(std::string_view quantity) {
 }
 
 bool applies(const Mechanism& mechanism, const Setup& setup) {
-  if (mechanism.needs_interfaces)
-    return std::ranges::adjacent_find(setup.layers, std::not_equal_to(), &Layer::soil) != setup.layers.end();
+  int interfaces = 0;
+  for (std::size_t k = 0; k + 1 < setup.layers.size(); ++k)
+    if (setup.layers[k].soil != setup.layers[k + 1].soil) ++interfaces;
+  if (mechanism.needs_interfaces > 0) return interfaces >= mechanism.needs_interfaces;
   return mechanism.acts_on == nullptr || std::ranges::any_of(setup.layers, [&](const Layer& layer) {
            return mechanism.acts_on(law_of(setup.soils[layer.soil]));
          });

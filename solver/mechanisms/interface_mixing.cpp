@@ -18,7 +18,7 @@ Mechanism interface_mixing_mechanism() {
       .source = "sample building; De Lange (2018)",
       .signature = "peaks and troughs next to interfaces are blunter.",
       .acts_on = any_soil,
-      .needs_interfaces = true,
+      .needs_interfaces = 1,
       .parameters = {{number<&Setup::mechanisms, &Mechanisms::interface_mixing, &InterfaceMixing::thickness>(
                           "interface_mixing.thickness_mm", "t_mix", millimetres, 0.0, 200.0, any_soil,
                           "thickness of the mixed zone at each interface", "sample building"),

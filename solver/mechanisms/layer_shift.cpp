@@ -20,7 +20,7 @@ Mechanism layer_shift_mechanism() {
           .source = "Yost et al. (2023), section 3.3",
           .signature = "peaks and troughs move with the layers; their height stays.",
           .acts_on = any_soil,
-          .needs_interfaces = true,
+          .needs_interfaces = 1,
           .parameters = {
               {number<&Setup::mechanisms, &Mechanisms::layer_shift, &LayerShift::shift>(
                    "layer_shift.shift_mm", "Δz_layers", millimetres, -100.0, 100.0, any_soil,

@@ -26,13 +26,13 @@ struct MechanismParameter {
 };
 
 struct Mechanism {
-  std::string_view name;          ///< "surface_compaction"; its quantities begin with it
-  std::string_view title;         ///< what an engineer would say: "sand compacted near the surface"
-  std::string_view equation;      ///< in plain text
-  std::string_view source;        ///< of the equation and the prior
-  std::string_view signature;     ///< what to expect in q_c, one sentence
-  ActsOn acts_on;                 ///< on soils of which laws, if not on all
-  bool needs_interfaces = false;  ///< acts only where two soils meet
+  std::string_view name;       ///< "surface_compaction"; its quantities begin with it
+  std::string_view title;      ///< what an engineer would say: "sand compacted near the surface"
+  std::string_view equation;   ///< in plain text
+  std::string_view source;     ///< of the equation and the prior
+  std::string_view signature;  ///< what to expect in q_c, one sentence
+  ActsOn acts_on;              ///< on soils of which laws, if not on all
+  int needs_interfaces = 0;    ///< depths at which two soils must meet for it to act
   /// The first is the strength. The mechanism is off, bit for bit, where all parameters have their defaults.
   std::vector<MechanismParameter> parameters;
   /// Acts on what is recorded of the push (reading.hpp), not on the push: known without a run of its own.

@@ -12,6 +12,7 @@
 #include "solver/mechanisms/inclination.hpp"
 #include "solver/mechanisms/interface_mixing.hpp"
 #include "solver/mechanisms/layer_shift.hpp"
+#include "solver/mechanisms/layer_thickness.hpp"
 #include "solver/mechanisms/overconsolidation.hpp"
 #include "solver/mechanisms/previous_push.hpp"
 #include "solver/mechanisms/rate_dependence.hpp"
@@ -48,6 +49,7 @@ struct Mechanisms {
   GainDrift gain_drift;
   SleeveLoad sleeve_load;
   Inclination inclination;
+  LayerThickness layer_thickness;
 };
 
 }  // namespace cpt::solver

@@ -9,6 +9,7 @@
 #include "solver/actual_setup.hpp"
 #include "solver/mechanisms/catalogue.hpp"
 #include "solver/mechanisms/reading.hpp"
+#include "solver/problem.hpp"
 #include "tests/solver/mechanisms/mechanism_fixture.hpp"
 
 namespace cpt::solver {
@@ -106,6 +107,32 @@ TEST(LayerShift, MovesAllInnerInterfaces) {
     EXPECT_DOUBLE_EQ(after[k].bottom, before[k].bottom + 0.01);
     EXPECT_EQ(after[k].bottom, after[k + 1].top);
   }
+}
+
+TEST(LayerThickness, MovesTheMiddleLayersInterfacesApart) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.3);
+  setup.layers = {{0.0, 0.1, default_sand},
+                  {0.1, 0.15, default_sand},
+                  {0.15, 0.2, default_clay},
+                  {0.2, 1.0, default_sand}};
+  const Mechanism& mechanism = *find_mechanism("layer_thickness");
+  EXPECT_TRUE(applies(mechanism, setup));
+  setup.mechanisms.layer_thickness.change = 0.01;
+  const solver::Setup actual = actual_setup(setup);
+  EXPECT_DOUBLE_EQ(actual.layers[0].bottom, 0.1);  // the same soil on both sides is no interface
+  EXPECT_DOUBLE_EQ(actual.layers[1].bottom, 0.145);
+  EXPECT_DOUBLE_EQ(actual.layers[2].bottom, 0.205);
+  EXPECT_EQ(actual.layers[2].top, actual.layers[1].bottom);
+  EXPECT_EQ(actual.layers[3].top, actual.layers[2].bottom);
+  EXPECT_EQ(actual.layers[3].bottom, 1.0);
+  setup.mechanisms.layer_thickness.change = -0.06;  // nothing is left of 0.05 m
+  const std::vector<Problem> found = problems(setup);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front().quantity, "layer_thickness.change_mm");
+
+  setup.layers = {{0.0, 0.2, default_sand}, {0.2, 1.0, default_clay}};
+  EXPECT_FALSE(applies(mechanism, setup));  // one interface has no layer in the middle
+  EXPECT_EQ(actual_setup(setup).layers[0].bottom, 0.2);
 }
 
 TEST(InterfaceMixing, SharesGoLinearlyFromOneSoilToTheOther) {
