@@ -6,6 +6,7 @@
 #include "solver/mechanisms/compliant_wall.hpp"
 #include "solver/mechanisms/cushion_transfer.hpp"
 #include "solver/mechanisms/density_lens.hpp"
+#include "solver/mechanisms/density_trend.hpp"
 #include "solver/mechanisms/depth_datum.hpp"
 #include "solver/mechanisms/gain_drift.hpp"
 #include "solver/mechanisms/grain_crushing.hpp"
@@ -50,6 +51,7 @@ struct Mechanisms {
   SleeveLoad sleeve_load;
   Inclination inclination;
   LayerThickness layer_thickness;
+  DensityTrend density_trend;
 };
 
 }  // namespace cpt::solver

@@ -145,6 +145,7 @@ class NorSandLaw : public Law {
     const double e = void_ratio(p);
     const double denser = setup.mechanisms.surface_compaction.at(depth) +
                           setup.mechanisms.density_lens.at(depth) +
+                          setup.mechanisms.density_trend.at(depth, setup.penetrometer.final_depth) +
                           (sand.D_r_field.on() ? sand.D_r_field.at(sand.D_r, depth) - sand.D_r : 0.0);
     const double change = left.void_ratio(depth) - denser * (sand.e_max - sand.e_min);
     return change == 0.0 ? e : std::clamp(e + change, std::min(e, sand.e_min), std::max(e, sand.e_max));

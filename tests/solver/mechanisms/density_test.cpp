@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "solver/actual_setup.hpp"
 #include "tests/solver/default_soils.hpp"
 #include "tests/solver/mechanisms/mechanism_fixture.hpp"
 
@@ -48,6 +49,29 @@ TEST(DensityLens, ChangesItsDepthsOnly) {
     const bool inside = std::abs(-point.z - 0.30) < 0.04;
     EXPECT_NEAR(point.e, inside ? e_0 + 0.2 * range : e_0, 1e-12);
   });
+}
+
+TEST(DensityTrend, TurnsAboutTheMiddleOfThePush) {
+  for (const double final_depth : {0.3, 0.5}) {
+    solver::Setup setup = quick(Profile::homogeneous_sand, final_depth);
+    const Soil& sand = setup.soils[default_sand];
+    const auto e = [&](double depth) {
+      return law_of(sand).void_ratio_at(setup, sand.parameters, {}, depth);
+    };
+    const double e_0 = bulk(setup, default_sand).e;
+    setup.mechanisms.density_trend.difference = 0.2;
+    EXPECT_NEAR(e(0.0), e_0 + 0.1 * range, 1e-12);
+    EXPECT_NEAR(e(0.5 * final_depth), e_0, 1e-12);
+    EXPECT_NEAR(e(final_depth), e_0 - 0.1 * range, 1e-12);
+    setup.mechanisms.density_trend.difference = -1.0;
+    EXPECT_EQ(e(0.0), e_0 - 0.5 * range);  // not beyond the densest and the loosest state
+    EXPECT_EQ(e(2.0), sand_of(setup).e_max);
+    const solver::Setup actual = actual_setup(setup);  // the same sand for a shorter push before it
+    solver::Setup first = actual;
+    first.penetrometer.final_depth = 0.1;
+    EXPECT_EQ(law_of(sand).void_ratio_at(first, sand.parameters, {}, 0.2),
+              law_of(sand).void_ratio_at(actual, sand.parameters, {}, 0.2));
+  }
 }
 
 // A lens over the whole depth is another relative density.
