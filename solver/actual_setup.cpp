@@ -12,6 +12,14 @@ Setup actual_setup(const Setup& setup) {
   for (Soil& soil : actual.soils)
     if (auto* sand = std::get_if<NorSandParameters>(&soil.parameters))
       sand->OCR *= mechanisms.overconsolidation.factor();
+  if (mechanisms.push_speed.on()) {
+    for (Soil& soil : actual.soils)
+      if (auto* clay = std::get_if<TrescaParameters>(&soil.parameters)) {
+        clay->s_u *= mechanisms.push_speed.factor();
+        clay->s_u_field.deviation *= mechanisms.push_speed.factor();
+      }
+    mechanisms.strength_gradient.gradient *= mechanisms.push_speed.factor();
+  }
   mechanisms.layer_shift.apply(actual.layers);
   mechanisms.layer_thickness.apply(actual.layers);
   actual.penetrometer.diameter -= mechanisms.worn_cone.diameter_loss;
@@ -19,6 +27,7 @@ Setup actual_setup(const Setup& setup) {
   mechanisms.density_trend.over = setup.penetrometer.final_depth;
   mechanisms.cushion_transfer = {};
   mechanisms.overconsolidation = {};
+  mechanisms.push_speed = {};
   mechanisms.layer_shift = {};
   mechanisms.layer_thickness = {};
   mechanisms.worn_cone = {};

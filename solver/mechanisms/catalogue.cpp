@@ -31,6 +31,7 @@ Mechanism sleeve_load_mechanism();
 Mechanism inclination_mechanism();
 Mechanism layer_thickness_mechanism();
 Mechanism density_trend_mechanism();
+Mechanism push_speed_mechanism();
 
 std::span<const Mechanism> all_mechanisms() {
   static const std::vector<Mechanism> catalogue = {
@@ -41,7 +42,7 @@ std::span<const Mechanism> all_mechanisms() {
       depth_datum_mechanism(),        layer_shift_mechanism(),       interface_mixing_mechanism(),
       worn_cone_mechanism(),          zero_offset_mechanism(),       zero_drift_mechanism(),
       gain_drift_mechanism(),         sleeve_load_mechanism(),       inclination_mechanism(),
-      layer_thickness_mechanism(),    density_trend_mechanism(),
+      layer_thickness_mechanism(),    density_trend_mechanism(),     push_speed_mechanism(),
   };
   return catalogue;
 }

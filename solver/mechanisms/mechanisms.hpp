@@ -16,6 +16,7 @@
 #include "solver/mechanisms/layer_thickness.hpp"
 #include "solver/mechanisms/overconsolidation.hpp"
 #include "solver/mechanisms/previous_push.hpp"
+#include "solver/mechanisms/push_speed.hpp"
 #include "solver/mechanisms/rate_dependence.hpp"
 #include "solver/mechanisms/sleeve_load.hpp"
 #include "solver/mechanisms/strain_softening.hpp"
@@ -52,6 +53,7 @@ struct Mechanisms {
   Inclination inclination;
   LayerThickness layer_thickness;
   DensityTrend density_trend;
+  PushSpeed push_speed;
 };
 
 }  // namespace cpt::solver

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/actual_setup.hpp"
 #include "solver/constitutive/varying_tresca.hpp"
+#include "solver/quantities.hpp"
 #include "tests/solver/default_soils.hpp"
 #include "tests/solver/mechanisms/mechanism_fixture.hpp"
 
@@ -67,6 +69,21 @@ TEST(RateDependence, RisesByMuPerDecade) {
   double strength = 0.0;
   for (int i = 0; i < 300; ++i) strength = slow.strain(1e-3, 10.0);
   EXPECT_NEAR(strength, 30e3, 1e-9 * 30e3);
+}
+
+// By lambda for each decade, of the profile as of the strength, and the push is that of the other strength.
+TEST(PushSpeed, IsAnotherStrength) {
+  solver::Setup setup = quick(Profile::homogeneous_clay, 0.03), stronger = setup;
+  setup.mechanisms.strength_gradient.gradient = 10e3;
+  setup.mechanisms.push_speed = {-1.3, 0.2};
+  EXPECT_DOUBLE_EQ(clay_of(actual_setup(setup)).s_u, 0.74 * clay_of(setup).s_u);
+  EXPECT_DOUBLE_EQ(actual_setup(setup).mechanisms.strength_gradient.gradient, 7.4e3);
+  EXPECT_EQ(canonical_text(actual_setup(actual_setup(setup))), canonical_text(actual_setup(setup)));
+
+  setup.mechanisms.strength_gradient = {};
+  setup.mechanisms.push_speed = {1.0, 0.1};
+  clay_of(stronger).s_u *= setup.mechanisms.push_speed.factor();
+  EXPECT_EQ(run(setup).profile.q_c, run(stronger).profile.q_c);
 }
 
 TEST(StrengthProfiles, ArePutOnThePoints) {
