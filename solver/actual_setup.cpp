@@ -24,7 +24,7 @@ Setup actual_setup(const Setup& setup) {
   mechanisms.layer_thickness.apply(actual.layers);
   actual.penetrometer.diameter -= mechanisms.worn_cone.diameter_loss;
   actual.penetrometer.apex += mechanisms.worn_cone.apex_increase;
-  mechanisms.density_trend.over = setup.penetrometer.final_depth;
+  mechanisms.density_trend.over = mechanisms.stress_ratio_trend.over = setup.penetrometer.final_depth;
   mechanisms.cushion_transfer = {};
   mechanisms.overconsolidation = {};
   mechanisms.push_speed = {};

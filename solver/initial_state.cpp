@@ -65,7 +65,9 @@ double vertical_stress(const Setup& setup, double z) {
 }
 
 double horizontal_stress(const Setup& setup, const LeftBehind& left, double z) {
-  const double sigma_h = K_0(setup) * vertical_stress(setup, z);
+  double sigma_h = K_0(setup) * vertical_stress(setup, z);
+  if (const StressRatioTrend& trend = setup.mechanisms.stress_ratio_trend; trend.on() && z < 0.0)
+    sigma_h *= trend.at(-z, setup.penetrometer.final_depth);
   return z < 0.0 ? sigma_h * left.sigma_h(-z) : sigma_h;
 }
 

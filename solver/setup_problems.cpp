@@ -34,6 +34,7 @@ class Check {
     layers();
     const bool sound_layers = problems_.empty();
     laws(sound_layers);
+    stress_ratio(sound_layers);
     geometry();
     if (!zones()) return problems_;
     const std::size_t before = problems_.size();
@@ -60,6 +61,7 @@ class Check {
   void layers();
   void soils();
   void laws(bool sound_layers);
+  void stress_ratio(bool sound_layers);
   [[nodiscard]] bool bears(double sigma_h, bool sound_layers) const;
   [[nodiscard]] std::string range_of_sigma_h(bool sound_layers) const;
   void geometry();
@@ -125,6 +127,21 @@ void Check::laws(bool sound_layers) {
         if (problem.quantity == sigma_h0) problem.message += range_of_sigma_h(sound_layers);
         problems_.push_back(std::move(problem));
       }
+}
+
+// The least and the greatest K_0 of a trend are those of its ends.
+void Check::stress_ratio(bool sound_layers) {
+  const StressRatioTrend& trend = setup_.mechanisms.stress_ratio_trend;
+  if (!trend.on() || !bears(setup_.initial.sigma_h0, sound_layers)) return;
+  for (const double part : {0.0, 1.0}) {
+    const double factor = trend.at(part, 1.0);
+    if (bears(setup_.initial.sigma_h0 * factor, sound_layers)) continue;
+    return add("stress_ratio_trend.change",
+               fmt::format("{} makes a K_0 of {:.3g} at one end, which some soil cannot bear with {} and {}",
+                           given("stress_ratio_trend.change"),
+                           factor * setup_.initial.sigma_h0 / setup_.initial.sigma_v0, given(sigma_h0),
+                           given("initial.sigma_v0_kPa")));
+  }
 }
 
 // Whether all soils can start from the vertical stress and this horizontal one.

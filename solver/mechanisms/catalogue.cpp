@@ -32,6 +32,7 @@ Mechanism inclination_mechanism();
 Mechanism layer_thickness_mechanism();
 Mechanism density_trend_mechanism();
 Mechanism push_speed_mechanism();
+Mechanism stress_ratio_trend_mechanism();
 
 std::span<const Mechanism> all_mechanisms() {
   static const std::vector<Mechanism> catalogue = {
@@ -43,6 +44,7 @@ std::span<const Mechanism> all_mechanisms() {
       worn_cone_mechanism(),          zero_offset_mechanism(),       zero_drift_mechanism(),
       gain_drift_mechanism(),         sleeve_load_mechanism(),       inclination_mechanism(),
       layer_thickness_mechanism(),    density_trend_mechanism(),     push_speed_mechanism(),
+      stress_ratio_trend_mechanism(),
   };
   return catalogue;
 }

@@ -21,6 +21,7 @@
 #include "solver/mechanisms/sleeve_load.hpp"
 #include "solver/mechanisms/strain_softening.hpp"
 #include "solver/mechanisms/strength_gradient.hpp"
+#include "solver/mechanisms/stress_ratio_trend.hpp"
 #include "solver/mechanisms/surface_compaction.hpp"
 #include "solver/mechanisms/wall_friction.hpp"
 #include "solver/mechanisms/worn_cone.hpp"
@@ -54,6 +55,7 @@ struct Mechanisms {
   LayerThickness layer_thickness;
   DensityTrend density_trend;
   PushSpeed push_speed;
+  StressRatioTrend stress_ratio_trend;
 };
 
 }  // namespace cpt::solver

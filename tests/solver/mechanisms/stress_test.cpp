@@ -1,9 +1,12 @@
 // Mechanisms of the initial stress: cushion transfer, overconsolidation, wall friction.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "solver/actual_setup.hpp"
+#include "solver/problem.hpp"
 #include "solver/quantities.hpp"
 #include "tests/solver/default_soils.hpp"
 #include "tests/solver/mechanisms/mechanism_fixture.hpp"
@@ -29,6 +32,36 @@ TEST(Overconsolidation, ScalesTheImagePressure) {
 TEST(ActualSetup, IsTheSetupWhereNothingIsOn) {
   const solver::Setup setup = quick(Profile::layered_sand_clay, 0.1);
   EXPECT_EQ(canonical_text(actual_setup(setup)), canonical_text(setup));
+}
+
+TEST(StressRatioTrend, TurnsAboutTheMiddleOfThePush) {
+  solver::Setup setup = quick(Profile::homogeneous_sand, 0.4);
+  setup.mechanisms.stress_ratio_trend.change = 0.3;
+  for_initial_soil(setup, [&](const Point& point, std::int32_t) {
+    const double factor = 1.0 + 0.3 * (std::min(-point.z, 0.4) - 0.2) / 0.4;
+    EXPECT_NEAR(point.s_rr / point.s_zz, 0.5 * factor, 1e-12);
+    EXPECT_EQ(point.s_rr, point.s_tt);
+    EXPECT_EQ(-point.s_zz, vertical_stress(setup, point.z));        // as without
+    EXPECT_EQ(-point.s_rr, horizontal_stress(setup, {}, point.z));  // what a wall holds
+  });
+  EXPECT_TRUE(problems(setup).empty());
+  setup.mechanisms.stress_ratio_trend.change = 1.5;  // K_0 = 0.125 at the top
+  const std::vector<Problem> found = problems(setup);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front().quantity, "stress_ratio_trend.change");
+}
+
+// Rows of K_0 that differ rest on each other: the wall's stress at a depth is that of the start.
+TEST(StressRatioTrend, StartsInEquilibrium) {
+  solver::Setup setup = quick(Profile::homogeneous_clay, 0.03);
+  const double plain = mean_q_c(run(setup), 0.02, 0.03);
+  setup.mechanisms.stress_ratio_trend.change = 0.4;
+  for (const Wall wall : {Wall::rigid, Wall::flexible}) {
+    setup.chamber.wall = wall;
+    const Outcome outcome = run(setup);
+    ASSERT_EQ(outcome.status, Status::completed) << outcome.reason;
+    EXPECT_NEAR(mean_q_c(outcome, 0.02, 0.03), plain, 0.05 * plain);  // clay hardly feels K_0
+  }
 }
 
 // Janssen's equation by fine steps of Euler's method.
