@@ -14,9 +14,7 @@ Mechanism inclination_mechanism() {
       .source =
           "ISO 22476-1 (2012): depth corrected for the measured inclination; range: a push is ended at 15 "
           "degrees",
-      .signature =
-          "the curve is stretched downward, with the square of the depth times depth: deep layers seem "
-          "deeper.",
+      .signature = "the curve is stretched downward, by a length that grows with the cube of the depth.",
       .acts_on = any_soil,
       .parameters =
           {{number<&Setup::mechanisms, &Mechanisms::inclination, &Inclination::at_end>(
